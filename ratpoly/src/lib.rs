@@ -1,0 +1,1 @@
+//! Exact sparse multivariate polynomials and rational functions over the integers and rationals.

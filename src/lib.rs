@@ -1,0 +1,1 @@
+//! Re-derives published equations exactly.
