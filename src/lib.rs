@@ -1,1 +1,5 @@
 //! Re-derives published equations exactly.
+
+pub mod diagnostic;
+pub mod expr;
+pub mod span;

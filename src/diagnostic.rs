@@ -1,0 +1,118 @@
+//! What is wrong with a document, where, and what to do: kind + span + data.
+//!
+//! The stages make [`Diagnostic`] values and never prose; the words and the source excerpt are
+//! made here and only here. All of a document's diagnostics are reported at once.
+
+use crate::span::Span;
+
+/// One thing that is wrong with a document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What is wrong.
+    pub kind: DiagnosticKind,
+    /// Where.
+    pub span: Span,
+    /// A second place that belongs to it, such as the first definition of a name defined twice.
+    pub related: Option<Span>,
+}
+
+impl Diagnostic {
+    /// A diagnostic at a place.
+    pub fn new(kind: DiagnosticKind, span: Span) -> Self {
+        Diagnostic {
+            kind,
+            span,
+            related: None,
+        }
+    }
+}
+
+/// What can be wrong with a document. Tests match on these, not on words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DiagnosticKind {
+    /// The parser met something it cannot read here.
+    Unexpected {
+        /// What was found.
+        found: String,
+        /// What would have fitted.
+        expected: String,
+    },
+    /// A brace or bracket without its partner.
+    Unbalanced {
+        /// The lone delimiter.
+        delimiter: String,
+    },
+    /// Brackets nested deeper than the limit.
+    TooDeep {
+        /// The limit.
+        limit: usize,
+    },
+    /// A LaTeX command outside the fragment.
+    UnknownCommand {
+        /// The command.
+        command: String,
+    },
+    /// Two readings are possible and the document does not say which is meant.
+    Ambiguous {
+        /// The readings.
+        readings: Vec<String>,
+    },
+    /// A letter that no table and no equation declares.
+    UndeclaredName {
+        /// The letter as printed.
+        name: String,
+    },
+    /// A name declared or defined twice.
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// Definitions that need each other.
+    CyclicDefinition {
+        /// The names around the circle.
+        cycle: Vec<String>,
+    },
+    /// Two shapes that do not fit.
+    ShapeMismatch {
+        /// What was being done.
+        operation: String,
+        /// Shape of the left operand.
+        left: String,
+        /// Shape of the right operand.
+        right: String,
+    },
+    /// A divisor that is zero identically.
+    DivisionByZero,
+    /// An exponent beyond the limit, or one that is no integer.
+    Exponent {
+        /// The exponent as printed.
+        exponent: String,
+        /// The largest that is allowed.
+        limit: u32,
+    },
+    /// A number that cannot be read.
+    BadNumber {
+        /// As written.
+        text: String,
+    },
+    /// An equation number used twice.
+    DuplicateLabel {
+        /// The number.
+        label: String,
+    },
+    /// A fence whose role is none of those the format knows.
+    UnknownRole {
+        /// The role.
+        role: String,
+    },
+    /// A document without a single fence.
+    EmptyDocument,
+    /// The file is not UTF-8 text.
+    NotUtf8,
+    /// A TOML table that cannot be read, in the words of its reader.
+    Toml {
+        /// The words.
+        message: String,
+    },
+}

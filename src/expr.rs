@@ -1,0 +1,334 @@
+//! The syntax tree that every stage shares: what is printed, not what it means.
+//!
+//! A tree keeps enough of the typesetting (brackets, slash or bar, underbraces) to be written
+//! back as the reader saw it, and nothing of the meaning: whether `P_{33}` is an entry or a
+//! letter with a label is decided by the document's model. The exact and the floating-point
+//! route meet only here.
+
+use crate::span::Span;
+use num_rational::BigRational;
+
+/// A printed expression with its place in the document.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What is printed.
+    pub kind: ExprKind,
+    /// Where.
+    pub span: Span,
+}
+
+/// Equality of what is printed; the place does not count.
+impl PartialEq for Expr {
+    fn eq(&self, other: &Self) -> bool {
+        self.kind == other.kind
+    }
+}
+impl Eq for Expr {}
+
+/// The typeface of a letter; letters of different typefaces are different names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Font {
+    /// The default of mathematics: `c`.
+    #[default]
+    Italic,
+    /// `\mathbf{c}`, `\boldsymbol{c}`, `\bm{c}`.
+    Bold,
+    /// `\mathrm{c}`, `\text{c}`, `\operatorname{c}`.
+    Roman,
+    /// `\mathcal{c}`.
+    Calligraphic,
+    /// `\mathbb{c}`.
+    Blackboard,
+}
+
+/// An accent that is part of the name (dots are not: they are time derivatives).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Accent {
+    /// `\tilde` or `\widetilde`.
+    Tilde,
+    /// `\hat` or `\widehat`.
+    Hat,
+    /// `\bar` or `\overline`.
+    Bar,
+    /// `\vec`.
+    Vector,
+}
+
+/// A letter: its base, typeface, accent and primes, without dots, index or argument.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Letter {
+    /// `m`, `\zeta`, or the word inside `\mathrm{...}`.
+    pub base: String,
+    /// The typeface.
+    pub font: Font,
+    /// The accent, if any.
+    pub accent: Option<Accent>,
+    /// How many primes follow.
+    pub primes: u8,
+}
+
+/// A name as printed: a letter, its dots and its subscript.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// The letter.
+    pub letter: Letter,
+    /// How many dots stand over it: the order of the time derivative.
+    pub dots: u8,
+    /// The subscript, which may turn out to be a label (`m_A`) or an index (`a_4`, `H_{k,k+1}`).
+    pub subscript: Option<Subscript>,
+}
+
+/// A printed subscript, kept in both of its possible readings.
+#[derive(Clone, Debug)]
+pub struct Subscript {
+    /// The items between top-level commas, read as expressions; empty when the subscript
+    /// cannot be read as expressions at all and is a label only.
+    pub indices: Vec<Expr>,
+    /// The whole subscript in normal LaTeX (no superfluous blanks or braces): the label reading.
+    pub label: String,
+}
+
+/// Equality of what is printed.
+impl PartialEq for Subscript {
+    fn eq(&self, other: &Self) -> bool {
+        self.label == other.label
+    }
+}
+impl Eq for Subscript {}
+
+/// Sign of a term in a sum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Sign {
+    /// `+`
+    Plus,
+    /// `-`
+    Minus,
+}
+
+/// A pair of brackets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Bracket {
+    /// `( )`
+    Round,
+    /// `[ ]`
+    Square,
+    /// `\{ \}`
+    Curly,
+    /// `| |` or `\vert \vert`
+    Bar,
+    /// No visible bracket (an array without delimiters).
+    None,
+}
+
+/// How a quotient is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum QuotientStyle {
+    /// `\frac{a}{b}`
+    Bar,
+    /// `a/b`; the divisor is the whole juxtaposed product that follows, a reading that the report shows.
+    Slash,
+}
+
+/// The functions whose name is part of mathematical notation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// `\det`
+    Determinant,
+    /// `\operatorname{tr}` or `\mathrm{tr}`
+    Trace,
+    /// `\mathrm{Re}` or `\Re`
+    RealPart,
+    /// `\mathrm{Im}` or `\Im`
+    ImaginaryPart,
+    /// `\cos`
+    Cosine,
+    /// `\sin`
+    Sine,
+    /// `\exp`
+    Exponential,
+    /// `\ln` or `\log`
+    Logarithm,
+    /// `\sqrt`
+    SquareRoot,
+    /// `|x|`
+    Absolute,
+}
+
+/// What is printed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ExprKind {
+    /// An exact number: an integer or a decimal.
+    Number(BigRational),
+    /// A name.
+    Name(Name),
+    /// A name applied to arguments, where the document declares it a function: `\zeta(t)`.
+    Apply {
+        /// The function's name.
+        function: Name,
+        /// Its arguments.
+        arguments: Vec<Expr>,
+    },
+    /// A function of mathematical notation: `\det\mathbf{H}`, `\cos \beta\xi`.
+    Call {
+        /// Which.
+        function: Function,
+        /// Of what.
+        argument: Box<Expr>,
+    },
+    /// A signed sum; a lone leading minus is a sum of one term.
+    Sum(Vec<(Sign, Expr)>),
+    /// A product of at least two factors, juxtaposed or with `\cdot` or `\times`.
+    Product(Vec<Expr>),
+    /// A quotient.
+    Quotient {
+        /// Above the bar.
+        numerator: Box<Expr>,
+        /// Below the bar.
+        denominator: Box<Expr>,
+        /// Bar or slash.
+        style: QuotientStyle,
+    },
+    /// A power `base^exponent`; a matrix inverse is the power -1.
+    Power {
+        /// The base.
+        base: Box<Expr>,
+        /// The exponent.
+        exponent: Box<Expr>,
+    },
+    /// `X^T` or `X^t`, where the document does not use the letter itself as an exponent.
+    Transpose(Box<Expr>),
+    /// A bracketed expression.
+    Group {
+        /// The brackets.
+        bracket: Bracket,
+        /// What they hold.
+        inner: Box<Expr>,
+    },
+    /// A matrix, column or row by rows; all rows have the same length.
+    Matrix {
+        /// The entries.
+        rows: Vec<Vec<Expr>>,
+        /// Its delimiters.
+        bracket: Bracket,
+    },
+    /// `(0, q)`: items between commas in brackets.
+    Tuple(Vec<Expr>),
+    /// `\sum_{k=0}^{3} body`.
+    BigSum {
+        /// The bound variable.
+        index: Name,
+        /// First value.
+        from: Box<Expr>,
+        /// Last value, inclusive.
+        to: Box<Expr>,
+        /// What is added.
+        body: Box<Expr>,
+    },
+    /// `\int_a^b body \, d x`.
+    Integral {
+        /// Lower and upper limit; none for an indefinite integral.
+        limits: Option<(Box<Expr>, Box<Expr>)>,
+        /// The integrand.
+        body: Box<Expr>,
+        /// The variable after the `d`.
+        variable: Name,
+    },
+    /// `d/dx` applied to an expression, or dots over something other than a letter.
+    Derivative {
+        /// The order.
+        order: u8,
+        /// The variable; none for dots, which mean time.
+        variable: Option<Name>,
+        /// What is differentiated.
+        body: Box<Expr>,
+    },
+    /// `E\{...\}`: the expectation.
+    Expectation(Box<Expr>),
+    /// `\underbrace{body}_{label}`.
+    Underbrace {
+        /// What stands above the brace.
+        body: Box<Expr>,
+        /// What stands below it: a name for the body, or a whole equation.
+        label: Box<Chain>,
+    },
+    /// Expressions by cases, each with its condition.
+    Cases(Vec<(Expr, Vec<Chain>)>),
+    /// `\infty`
+    Infinity,
+    /// `\mathrm{const}`: some constant.
+    Constant,
+}
+
+/// A relation between neighbours of a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Relation {
+    /// `=`
+    Equal,
+    /// `\neq`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `\le`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `\ge`
+    GreaterEqual,
+    /// `\sim`: is distributed as.
+    Distributed,
+    /// `\approx`
+    Approximately,
+    /// `\to`
+    Tends,
+}
+
+/// `X = Y = Z`: members and the relations between neighbours (one fewer).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// At least one member.
+    pub members: Vec<Expr>,
+    /// `relations[i]` stands between `members[i]` and `members[i + 1]`.
+    pub relations: Vec<Relation>,
+    /// Where.
+    pub span: Span,
+}
+
+/// `m = 0(1)6`: the values that an index takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IndexRange {
+    /// The index.
+    pub index: Name,
+    /// First value.
+    pub from: Expr,
+    /// Step, 1 in most papers.
+    pub step: Expr,
+    /// Last value, inclusive.
+    pub to: Expr,
+}
+
+/// One equation (or chain) of a display with the side conditions printed after it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Clause {
+    /// The heading before it, as in `\text{I:}`.
+    pub heading: Option<String>,
+    /// The chain; a chain of one member is a bare expression such as `a_i, i = 1(1)4`.
+    pub chain: Chain,
+    /// The ranges of its indices.
+    pub ranges: Vec<IndexRange>,
+}
+
+/// Everything that stands under one equation number.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Display {
+    /// The clauses in the order of reading.
+    pub clauses: Vec<Clause>,
+    /// Number printed by `\tag` or at the end of the display, if any.
+    pub tag: Option<String>,
+}
+
+impl Expr {
+    /// An expression at a place.
+    pub fn new(kind: ExprKind, span: Span) -> Self {
+        Expr { kind, span }
+    }
+}
