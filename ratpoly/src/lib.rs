@@ -1,1 +1,46 @@
 //! Exact sparse multivariate polynomials and rational functions over the integers and rationals.
+//!
+//! The vocabulary, from small to large: a variable of a [`Ring`], a [`Monomial`] (a power product),
+//! a term (monomial and coefficient), a [`Polynomial`] over the integers (terms in descending order),
+//! a [`RationalFunction`] (a reduced pair of polynomials; the rationals enter here).
+//!
+//! Every value is canonical by construction, so that equality is structural. Operators panic only when
+//! two rings are mixed or an exponent passes `u32::MAX`; the `try_` forms return a typed [`Error`], and
+//! whatever can explode has a form that takes a [`Budget`].
+//!
+//! ```
+//! use ratpoly::{Order, Polynomial, RationalFunction, Ring};
+//! # fn main() -> Result<(), ratpoly::Error> {
+//! let ring = Ring::new(["x", "y"], Order::Lex)?;
+//! let f = Polynomial::parse(ring, "x^2 - y^2")?;
+//! let g = Polynomial::parse(ring, "x^2 + 2*x*y + y^2")?;
+//! assert_eq!(RationalFunction::new(f, g)?.to_string(), "(x - y)/(x + y)");
+//! # Ok(())
+//! # }
+//! ```
+
+mod arithmetic;
+mod budget;
+mod display;
+mod divide;
+mod error;
+mod evaluate;
+mod gcd;
+mod monomial;
+mod parse;
+mod polynomial;
+mod rational_function;
+mod ring;
+mod serialize;
+mod substitute;
+
+pub use budget::Budget;
+pub use error::{Error, ParseErrorKind, Resource};
+pub use gcd::{gcd, lcm};
+pub use monomial::Monomial;
+pub use polynomial::Polynomial;
+pub use rational_function::RationalFunction;
+pub use ring::{Order, Ring};
+
+pub use num_bigint::BigInt;
+pub use num_rational::BigRational;
