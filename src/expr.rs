@@ -114,7 +114,8 @@ pub enum Bracket {
     Square,
     /// `\{ \}`
     Curly,
-    /// `| |` or `\vert \vert`
+    /// `| |` or `\vert \vert`; around a matrix it is printed for its determinant, which the tree
+    /// says by a [`Function::Determinant`] around the matrix.
     Bar,
     /// No visible bracket (an array without delimiters).
     None,
@@ -167,6 +168,13 @@ pub enum ExprKind {
         function: Name,
         /// Its arguments.
         arguments: Vec<Expr>,
+    },
+    /// An argument that names the letter it replaces, as in `R(\xi = 0)`; stands in [`ExprKind::Apply`] only.
+    Named {
+        /// The letter.
+        name: Name,
+        /// What it is replaced by.
+        value: Box<Expr>,
     },
     /// A function of mathematical notation: `\det\mathbf{H}`, `\cos \beta\xi`.
     Call {
@@ -315,6 +323,8 @@ pub struct Clause {
     pub chain: Chain,
     /// The ranges of its indices.
     pub ranges: Vec<IndexRange>,
+    /// The words after it, as in `\text{ driving comfort}`.
+    pub remark: Option<String>,
 }
 
 /// Everything that stands under one equation number.
@@ -324,6 +334,31 @@ pub struct Display {
     pub clauses: Vec<Clause>,
     /// Number printed by `\tag` or at the end of the display, if any.
     pub tag: Option<String>,
+}
+
+impl Name {
+    /// An italic letter without index: `a`, `\zeta`.
+    pub fn italic(base: &str) -> Self {
+        Name {
+            letter: Letter {
+                base: base.to_owned(),
+                font: Font::Italic,
+                accent: None,
+                primes: 0,
+            },
+            dots: 0,
+            subscript: None,
+        }
+    }
+
+    /// The same name without its dots: what is differentiated.
+    #[must_use]
+    pub fn undotted(&self) -> Self {
+        Name {
+            dots: 0,
+            ..self.clone()
+        }
+    }
 }
 
 impl Expr {
