@@ -27,6 +27,17 @@ impl Diagnostic {
     }
 }
 
+/// A text that cannot be checked: all that is wrong with it, and the text to quote from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rejection {
+    /// The file's name.
+    pub name: String,
+    /// The text that the diagnostics point into.
+    pub text: String,
+    /// What is wrong, by place.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
 /// What can be wrong with a document. Tests match on these, not on words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -96,20 +107,72 @@ pub enum DiagnosticKind {
         /// As written.
         text: String,
     },
-    /// An equation number used twice.
+    /// An equation number, or a table of which there is one, used twice.
     DuplicateLabel {
         /// The number.
         label: String,
     },
+    /// A fence without a number or word after `math` or `toml`, or with one that cannot be a label.
+    BadLabel {
+        /// What stands there; empty when nothing does.
+        found: String,
+    },
+    /// A settings table for an equation that the document does not have.
+    UnknownLabel {
+        /// The label.
+        label: String,
+        /// The tables that are no settings.
+        tables: Vec<String>,
+    },
     /// A fence whose role is none of those the format knows.
     UnknownRole {
-        /// The role.
+        /// The role; empty when there is none.
         role: String,
+    },
+    /// A key that the format does not know.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The keys that could stand here.
+        known: Vec<String>,
+    },
+    /// A word that the format does not know.
+    UnknownWord {
+        /// The word.
+        word: String,
+        /// The words that could stand here.
+        known: Vec<String>,
+    },
+    /// An equation that is recalled without saying why there is nothing to check.
+    MissingReason {
+        /// The equation's label.
+        label: String,
+    },
+    /// A letter declared positive with a value that is not.
+    NotPositive {
+        /// The letter.
+        name: String,
+        /// The value.
+        value: String,
+    },
+    /// A range from which nothing can be drawn.
+    EmptyRange {
+        /// Its lower end.
+        low: String,
+        /// Its upper end.
+        high: String,
+        /// Whether it is drawn from by its logarithm, so that it must be positive.
+        logarithmic: bool,
     },
     /// A document without a single fence.
     EmptyDocument,
     /// The file is not UTF-8 text.
     NotUtf8,
+    /// The file cannot be read at all, in the words of the operating system.
+    Unreadable {
+        /// The words.
+        message: String,
+    },
     /// A TOML table that cannot be read, in the words of its reader.
     Toml {
         /// The words.

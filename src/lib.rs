@@ -1,5 +1,6 @@
 //! Re-derives published equations exactly.
 
 pub mod diagnostic;
+pub mod document;
 pub mod expr;
 pub mod span;

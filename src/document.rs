@@ -1,0 +1,441 @@
+//! A document: Markdown whose fences hold the equations of a paper and what the letters are.
+//!
+//! Only fenced code blocks whose first word is `math` or `toml` count; everything else is for
+//! the reader. Every part keeps its place in the whole text, so that each later stage can
+//! point at it. The format is described in `proofs/README.md`.
+
+mod equation;
+mod markdown;
+mod number;
+mod numeric;
+mod symbols;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use equation::{Equation, Role, Settings, VerdictWord};
+pub use number::{EXPONENT_LIMIT, exact_number, write_number};
+pub use numeric::{Numeric, Point, SampleRange, Scale};
+pub use symbols::{Notation, NotationKind, Symbol};
+
+use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
+use crate::span::Span;
+use markdown::Fence;
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+use std::path::Path;
+use table::Fields;
+
+/// Most numbered equations that a document may announce.
+const EQUATIONS_LIMIT: u32 = 100_000;
+
+/// A piece of a document's text with its place.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Text {
+    /// The words.
+    pub text: String,
+    /// Where they stand.
+    pub span: Span,
+}
+
+/// A paper as an executable document, decoded but not yet read as mathematics.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Document {
+    /// The file's name, for messages.
+    pub name: String,
+    /// The whole text, into which every span points.
+    pub text: String,
+    /// The title: the table's, else the first heading, else the name.
+    pub title: String,
+    /// The publication that is checked.
+    pub source: Option<Text>,
+    /// The printed equation numbers that the coverage counts, in increasing order without overlap.
+    pub equation_numbers: Vec<RangeInclusive<u32>>,
+    /// What the letters are.
+    pub symbols: Vec<Symbol>,
+    /// What the paper leaves to the reader.
+    pub notation: Vec<Notation>,
+    /// Where the floating-point comparison looks.
+    pub numeric: Option<Numeric>,
+    /// The equations in the order of reading.
+    pub equations: Vec<Equation>,
+}
+
+impl Document {
+    /// Reads a file.
+    pub fn read(path: &Path) -> Result<Document, Rejection> {
+        let name = path.display().to_string();
+        let reject = |text: String, kind, span| Rejection {
+            name: name.clone(),
+            text,
+            diagnostics: vec![Diagnostic::new(kind, span)],
+        };
+        let bytes = std::fs::read(path).map_err(|error| {
+            let kind = DiagnosticKind::Unreadable {
+                message: error.to_string(),
+            };
+            reject(String::new(), kind, Span::default())
+        })?;
+        match String::from_utf8(bytes) {
+            Ok(text) => match Document::parse(&name, &text) {
+                Ok(document) => Ok(document),
+                Err(diagnostics) => Err(Rejection {
+                    name,
+                    text,
+                    diagnostics,
+                }),
+            },
+            Err(error) => {
+                // The text before the first wrong byte is unchanged, so the place is right in the
+                // repaired text too, where a replacement character stands for what is wrong.
+                let at = error.utf8_error().valid_up_to();
+                let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+                let span = Span::new(at, at + char::REPLACEMENT_CHARACTER.len_utf8());
+                Err(reject(text, DiagnosticKind::NotUtf8, span))
+            }
+        }
+    }
+
+    /// Decodes a text; on failure every error of the document is in the list, by place.
+    pub fn parse(name: &str, text: &str) -> Result<Document, Vec<Diagnostic>> {
+        let (fences, heading) = markdown::scan(text);
+        let mut reader = Reader::new(text);
+        for fence in &fences {
+            reader.fence(fence);
+        }
+        reader.attach_settings();
+        if !reader.counts {
+            reader.error(DiagnosticKind::EmptyDocument, Span::default());
+        }
+        let mut report = reader.report;
+        if !report.is_empty() {
+            report.sort_by_key(|diagnostic| diagnostic.span);
+            return Err(report);
+        }
+        Ok(Document {
+            name: name.into(),
+            text: text.into(),
+            title: reader
+                .title
+                .map(|title| title.text)
+                .or(heading)
+                .unwrap_or_else(|| name.into()),
+            source: reader.source,
+            equation_numbers: reader.equation_numbers,
+            symbols: reader.symbols,
+            notation: reader.notation,
+            numeric: reader.numeric,
+            equations: reader.equations,
+        })
+    }
+
+    /// The equation under a label.
+    pub fn equation(&self, label: &str) -> Option<&Equation> {
+        self.equations
+            .iter()
+            .find(|equation| equation.label.text == label)
+    }
+
+    /// The printed numbers that the coverage counts, one by one.
+    pub fn announced_numbers(&self) -> impl Iterator<Item = u32> + '_ {
+        self.equation_numbers.iter().cloned().flatten()
+    }
+
+    /// These diagnostics of a later stage together with the text that they point into.
+    pub fn reject(&self, diagnostics: Vec<Diagnostic>) -> Rejection {
+        Rejection {
+            name: self.name.clone(),
+            text: self.text.clone(),
+            diagnostics,
+        }
+    }
+}
+
+/// The tables that are not the settings of an equation.
+const TABLES: [&str; 4] = ["document", "symbols", "notation", "numeric"];
+
+/// The parts collected so far, and all that is wrong with them.
+struct Reader<'t> {
+    text: &'t str,
+    report: Vec<Diagnostic>,
+    /// Whether some fence counts.
+    counts: bool,
+    title: Option<Text>,
+    source: Option<Text>,
+    equation_numbers: Vec<RangeInclusive<u32>>,
+    symbols: Vec<Symbol>,
+    notation: Vec<Notation>,
+    numeric: Option<Numeric>,
+    equations: Vec<Equation>,
+    /// The settings by label, which may stand before or after their equation.
+    settings: Vec<(Text, table::Entries)>,
+    /// Where each label, name of a letter and single table stood first.
+    labels: BTreeMap<String, Span>,
+    names: BTreeMap<String, Span>,
+    single: BTreeMap<&'static str, Span>,
+}
+
+impl<'t> Reader<'t> {
+    fn new(text: &'t str) -> Self {
+        Reader {
+            text,
+            report: Vec::new(),
+            counts: false,
+            title: None,
+            source: None,
+            equation_numbers: Vec::new(),
+            symbols: Vec::new(),
+            notation: Vec::new(),
+            numeric: None,
+            equations: Vec::new(),
+            settings: Vec::new(),
+            labels: BTreeMap::new(),
+            names: BTreeMap::new(),
+            single: BTreeMap::new(),
+        }
+    }
+
+    fn error(&mut self, kind: DiagnosticKind, span: Span) {
+        self.report.push(Diagnostic::new(kind, span));
+    }
+
+    fn fence(&mut self, fence: &Fence) {
+        let (language, rest) = split_word(self.text, fence.info);
+        if !matches!(language.text.as_str(), "math" | "toml") {
+            return;
+        }
+        self.counts = true;
+        if !fence.closed {
+            let delimiter = "```".into();
+            self.error(DiagnosticKind::Unbalanced { delimiter }, fence.info);
+        }
+        let (label, rest) = split_word(self.text, rest);
+        match language.text.as_str() {
+            "math" => self.equation(fence, label, rest),
+            _ => self.table(fence, label, rest),
+        }
+    }
+
+    fn equation(&mut self, fence: &Fence, label: Text, rest: Span) {
+        let (role_word, arguments) = split_word(self.text, rest);
+        if !equation::is_label(&label.text) || equation::ROLES.contains(&label.text.as_str()) {
+            let found = label.text.clone();
+            self.error(
+                DiagnosticKind::BadLabel { found },
+                or(label.span, fence.info),
+            );
+        } else if let Some(&first) = self.labels.get(&label.text) {
+            self.report.push(Diagnostic {
+                kind: DiagnosticKind::DuplicateLabel {
+                    label: label.text.clone(),
+                },
+                span: label.span,
+                related: Some(first),
+            });
+        } else {
+            self.labels.insert(label.text.clone(), label.span);
+        }
+        let words = &self.text[arguments.start..arguments.end];
+        let role = match role_word.text.as_str() {
+            "define" => Role::Define,
+            "claim" => Role::Claim,
+            "recall" => Role::Recall,
+            "solve" => {
+                let targets = equation::targets(words, arguments.start);
+                if targets.is_empty() {
+                    self.error(
+                        DiagnosticKind::Unexpected {
+                            found: "nothing after `solve`".into(),
+                            expected: "the names to solve for, as in `solve x, y`".into(),
+                        },
+                        role_word.span,
+                    );
+                }
+                Role::Solve(targets)
+            }
+            // Without a proper label the role cannot be told either: one message is enough.
+            _ if !equation::is_label(&label.text)
+                || equation::ROLES.contains(&label.text.as_str()) =>
+            {
+                return;
+            }
+            _ => {
+                let role = role_word.text.clone();
+                self.error(
+                    DiagnosticKind::UnknownRole { role },
+                    or(role_word.span, fence.info),
+                );
+                return;
+            }
+        };
+        if !matches!(role, Role::Solve(_)) && !words.is_empty() {
+            self.error(
+                DiagnosticKind::Unexpected {
+                    found: format!("`{words}`"),
+                    expected: format!("nothing after `{}`", role_word.text),
+                },
+                arguments,
+            );
+        }
+        self.equations.push(Equation {
+            label,
+            role,
+            body: Text {
+                text: fence.body.clone(),
+                span: fence.body_span,
+            },
+            settings: Settings::default(),
+        });
+    }
+
+    fn table(&mut self, fence: &Fence, label: Text, rest: Span) {
+        if rest.start < rest.end {
+            let found = format!("`{}`", &self.text[rest.start..rest.end]);
+            let expected = "nothing more on this line".into();
+            self.error(DiagnosticKind::Unexpected { found, expected }, rest);
+        }
+        let entries = table::parse(&fence.body, fence.body_span.start, &mut self.report);
+        if let Some(&table) = TABLES.iter().find(|&&table| table == label.text)
+            && matches!(table, "document" | "numeric")
+        {
+            if let Some(first) = self.single.insert(table, label.span) {
+                self.report.push(Diagnostic {
+                    kind: DiagnosticKind::DuplicateLabel {
+                        label: table.into(),
+                    },
+                    span: label.span,
+                    related: Some(first),
+                });
+            }
+        }
+        match label.text.as_str() {
+            "document" => self.document(entries),
+            "symbols" => {
+                let decoded = symbols::symbols(entries, &mut self.report);
+                self.declare(decoded.iter().map(|symbol| &symbol.name));
+                self.symbols.extend(decoded);
+            }
+            "notation" => {
+                let decoded = symbols::notation(entries, &mut self.report);
+                self.declare(decoded.iter().map(|notation| &notation.name));
+                self.notation.extend(decoded);
+            }
+            "numeric" => {
+                let decoded = numeric::numeric(entries, fence.body_span, &mut self.report);
+                self.numeric = Some(decoded);
+            }
+            word if equation::is_label(word) => self.settings.push((label, entries)),
+            _ => {
+                let found = label.text.clone();
+                self.error(
+                    DiagnosticKind::BadLabel { found },
+                    or(label.span, fence.info),
+                );
+            }
+        }
+    }
+
+    fn document(&mut self, entries: table::Entries) {
+        let mut fields = Fields::new(entries, &mut self.report);
+        self.title = fields.text("title");
+        self.source = fields.text("source");
+        let numbers = fields.text("equations");
+        fields.finish();
+        if let Some(numbers) = numbers {
+            match equation_numbers(&numbers.text) {
+                Some(ranges) => self.equation_numbers = ranges,
+                None => self.error(
+                    DiagnosticKind::Unexpected {
+                        found: format!("`{}`", numbers.text),
+                        expected: "numbers and ranges such as \"1-20, 23\"".into(),
+                    },
+                    numbers.span,
+                ),
+            }
+        }
+    }
+
+    /// Notes where names are declared, and refuses a second declaration in the same spelling.
+    fn declare<'n>(&mut self, names: impl Iterator<Item = &'n Text>) {
+        for name in names {
+            match self.names.get(&name.text) {
+                None => {
+                    self.names.insert(name.text.clone(), name.span);
+                }
+                Some(&first) => self.report.push(Diagnostic {
+                    kind: DiagnosticKind::DuplicateName {
+                        name: name.text.clone(),
+                    },
+                    span: name.span,
+                    related: Some(first),
+                }),
+            }
+        }
+    }
+
+    /// Gives every settings table to its equation, then asks each recalled equation for its reason.
+    fn attach_settings(&mut self) {
+        for (label, entries) in std::mem::take(&mut self.settings) {
+            let equation = self
+                .equations
+                .iter_mut()
+                .find(|equation| equation.label.text == label.text);
+            match equation {
+                Some(equation) => {
+                    equation::settings(entries, &mut equation.settings, &mut self.report);
+                }
+                // An equation whose fence was refused already has its message.
+                None if self.labels.contains_key(&label.text) => {}
+                None => {
+                    let kind = DiagnosticKind::UnknownLabel {
+                        label: label.text,
+                        tables: TABLES.map(Into::into).into(),
+                    };
+                    self.report.push(Diagnostic::new(kind, label.span));
+                }
+            }
+        }
+        for equation in &self.equations {
+            if equation.role == Role::Recall && equation.settings.reason.is_none() {
+                let kind = DiagnosticKind::MissingReason {
+                    label: equation.label.text.clone(),
+                };
+                self.report.push(Diagnostic::new(kind, equation.label.span));
+            }
+        }
+    }
+}
+
+/// The place, or the other one where it is empty.
+fn or(span: Span, other: Span) -> Span {
+    if span.start < span.end { span } else { other }
+}
+
+/// The first word of a range of the text, and the trimmed rest.
+fn split_word(text: &str, span: Span) -> (Text, Span) {
+    let words = &text[span.start..span.end];
+    let length = words.find(char::is_whitespace).unwrap_or(words.len());
+    let rest = &words[length..];
+    let inset = rest.len() - rest.trim_start().len();
+    let word = Text {
+        text: words[..length].into(),
+        span: Span::new(span.start, span.start + length),
+    };
+    (word, Span::new(span.start + length + inset, span.end))
+}
+
+/// `"1-20, 23"`: increasing and without overlap.
+fn equation_numbers(text: &str) -> Option<Vec<RangeInclusive<u32>>> {
+    let mut ranges: Vec<RangeInclusive<u32>> = Vec::new();
+    for piece in text.split(',') {
+        let (first, last) = piece.split_once('-').unwrap_or((piece, piece));
+        let first: u32 = first.trim().parse().ok()?;
+        let last: u32 = last.trim().parse().ok()?;
+        let follows = ranges.last().is_none_or(|range| *range.end() < first);
+        if !follows || first > last || last > EQUATIONS_LIMIT {
+            return None;
+        }
+        ranges.push(first..=last);
+    }
+    Some(ranges)
+}
