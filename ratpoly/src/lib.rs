@@ -26,6 +26,7 @@ mod divide;
 mod error;
 mod evaluate;
 mod gcd;
+pub mod modular;
 mod monomial;
 mod parse;
 mod polynomial;
@@ -33,6 +34,7 @@ mod rational_function;
 mod ring;
 mod serialize;
 mod substitute;
+pub mod univariate;
 
 pub use budget::Budget;
 pub use error::{Error, ParseErrorKind, Resource};
