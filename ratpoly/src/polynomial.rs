@@ -115,6 +115,26 @@ impl Polynomial {
         self.terms.iter().cloned()
     }
 
+    /// The exponent vectors of all terms, one after the other, in descending order.
+    pub fn exponents_flat(&self) -> Vec<u32> {
+        self.terms
+            .iter()
+            .flat_map(|t| t.0.exponents().iter().copied())
+            .collect()
+    }
+
+    /// The residues of all coefficients in `0..modulus`, in the order of the terms.
+    ///
+    /// # Panics
+    /// If the modulus is zero.
+    pub fn residues(&self, modulus: u64) -> Vec<u64> {
+        self.terms
+            .iter()
+            .map(|t| crate::evaluate::residue(&t.1, modulus))
+            .collect()
+    }
+
+    /// Only for the kernel of this crate: the representation is about to change.
     pub(crate) fn raw_terms(&self) -> &[(Monomial, BigInt)] {
         &self.terms
     }
