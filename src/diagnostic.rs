@@ -3,6 +3,13 @@
 //! The stages make [`Diagnostic`] values and never prose; the words and the source excerpt are
 //! made here and only here. All of a document's diagnostics are reported at once.
 
+mod render;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use render::render;
+
 use crate::span::Span;
 
 /// One thing that is wrong with a document.

@@ -172,7 +172,7 @@ struct Reader<'t> {
     /// Where each label, name of a letter and single table stood first.
     labels: BTreeMap<String, Span>,
     names: BTreeMap<String, Span>,
-    single: BTreeMap<&'static str, Span>,
+    single: BTreeMap<String, Span>,
 }
 
 impl<'t> Reader<'t> {
@@ -295,18 +295,17 @@ impl<'t> Reader<'t> {
             self.error(DiagnosticKind::Unexpected { found, expected }, rest);
         }
         let entries = table::parse(&fence.body, fence.body_span.start, &mut self.report);
-        if let Some(&table) = TABLES.iter().find(|&&table| table == label.text)
-            && matches!(table, "document" | "numeric")
+        // Of these two tables there is one; symbols and notation may be spread over several.
+        if matches!(label.text.as_str(), "document" | "numeric")
+            && let Some(first) = self.single.insert(label.text.clone(), label.span)
         {
-            if let Some(first) = self.single.insert(table, label.span) {
-                self.report.push(Diagnostic {
-                    kind: DiagnosticKind::DuplicateLabel {
-                        label: table.into(),
-                    },
-                    span: label.span,
-                    related: Some(first),
-                });
-            }
+            self.report.push(Diagnostic {
+                kind: DiagnosticKind::DuplicateLabel {
+                    label: label.text.clone(),
+                },
+                span: label.span,
+                related: Some(first),
+            });
         }
         match label.text.as_str() {
             "document" => self.document(entries),
