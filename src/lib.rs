@@ -3,4 +3,5 @@
 pub mod diagnostic;
 pub mod document;
 pub mod expr;
+pub mod numeric;
 pub mod span;
