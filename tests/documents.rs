@@ -1,0 +1,127 @@
+//! The documents of the project are well formed, and the format's own page says what is so.
+
+use rederive::document::{Document, Role};
+use std::path::{Path, PathBuf};
+
+fn proofs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs")
+}
+
+fn read(path: &Path) -> Document {
+    Document::read(path).unwrap_or_else(|rejection| panic!("{rejection}"))
+}
+
+fn format_page() -> String {
+    std::fs::read_to_string(proofs().join("README.md")).unwrap()
+}
+
+/// The blocks between lines that begin with `fence` and the word, and the bare fence.
+fn blocks(page: &str, fence: &str, word: &str) -> Vec<String> {
+    let opening = format!("{fence}{word}\n");
+    page.split(&opening)
+        .skip(1)
+        .map(|rest| {
+            rest.split(&format!("\n{fence}\n"))
+                .next()
+                .unwrap()
+                .to_owned()
+                + "\n"
+        })
+        .collect()
+}
+
+fn parse(text: &str) -> Document {
+    Document::parse("example.md", text).unwrap_or_else(|diagnostics| {
+        let shown = rederive::diagnostic::render("example.md", text, &diagnostics, false);
+        panic!("{shown}")
+    })
+}
+
+#[test]
+fn every_paper_is_well_formed() {
+    let mut papers = 0;
+    for folder in std::fs::read_dir(proofs()).unwrap().map(Result::unwrap) {
+        if folder.file_type().unwrap().is_dir() {
+            for file in std::fs::read_dir(folder.path()).unwrap() {
+                let document = read(&file.unwrap().path());
+                papers += 1;
+                for number in document.announced_numbers() {
+                    assert!(
+                        document.equation(&number.to_string()).is_some(),
+                        "{}: equation {number} is announced and missing",
+                        document.name
+                    );
+                }
+            }
+        }
+    }
+    assert!(papers >= 2);
+}
+
+#[test]
+fn the_quarter_car_has_every_equation_of_the_section() {
+    let document = read(&proofs().join("schiehlen-2006/quarter-car.md"));
+    assert!(document.announced_numbers().eq(45..=68));
+    let recalled: Vec<_> = document
+        .equations
+        .iter()
+        .filter(|equation| equation.role == Role::Recall)
+        .map(|equation| &equation.label.text[..])
+        .collect();
+    assert_eq!(
+        recalled,
+        ["46", "53", "57"],
+        "what is not checked stays little"
+    );
+    let numeric = document.numeric.unwrap();
+    assert_eq!((numeric.samples, numeric.points.len()), (200, 11));
+    assert!(
+        numeric
+            .ranges
+            .iter()
+            .map(|range| &range.name)
+            .chain(
+                numeric
+                    .points
+                    .iter()
+                    .flat_map(|point| point.values.iter().map(|(name, _)| name))
+            )
+            .all(|name| document
+                .symbols
+                .iter()
+                .any(|symbol| symbol.name.text == name.text))
+    );
+}
+
+#[test]
+fn the_example_of_the_format_page_is_a_document() {
+    let examples = blocks(&format_page(), "````", "markdown");
+    assert_eq!(examples.len(), 1);
+    let document = parse(&examples[0]);
+    assert!(document.announced_numbers().eq(1..=5));
+    assert_eq!(document.equations.len(), 5);
+}
+
+#[test]
+fn the_conventions_of_the_format_page_are_those_of_the_format() {
+    let page = format_page();
+    let entries: Vec<&str> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `'")?.split_once("` |"))
+        .map(|(entry, _)| entry)
+        .collect();
+    assert_eq!(entries.len(), 8);
+    for entry in entries {
+        let text = format!("```toml notation\n'{entry}\n```\n");
+        assert_eq!(parse(&text).notation.len(), 1, "{entry}");
+    }
+}
+
+#[test]
+fn the_settings_of_the_format_page_are_those_of_the_format() {
+    let lines = blocks(&format_page(), "```", "text").remove(0);
+    for line in lines.lines() {
+        let text = format!("```math 1 claim\nx = y\n```\n```toml 1\n{line}\n```\n");
+        parse(&text);
+    }
+}
