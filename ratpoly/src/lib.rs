@@ -42,7 +42,7 @@ pub mod univariate;
 pub use budget::Budget;
 pub use elimination::{relations, relations_within};
 pub use error::{Error, ParseErrorKind, Resource};
-pub use gcd::{gcd, lcm};
+pub use gcd::{Cofactors, gcd, gcd_cofactors, gcd_cofactors_within, gcd_of, gcd_within, lcm};
 pub use groebner::{GroebnerBasis, NormalForm, normal_form};
 pub use ideal::Ideal;
 pub use monomial::Monomial;

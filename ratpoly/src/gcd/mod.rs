@@ -1,0 +1,301 @@
+//! Greatest common divisors of multivariate polynomials over the integers.
+//!
+//! From cheap to dear, each step leaves less for the next:
+//!
+//! 1. zero, single terms, equal operands, integer and monomial contents: read off;
+//! 2. a variable whose extreme coefficient is a single term in one operand and that the other operand
+//!    does not contain: nothing but a term can be common;
+//! 3. one image modulo a prime bounds the degree of the gcd in every variable at once ([`degree_bounds`]):
+//!    mostly it proves that there is no common factor;
+//! 4. variables that the gcd cannot contain: it divides all coefficients with respect to them;
+//! 5. the degree bounds of an operand: it probably divides the other;
+//! 6. sparse modular interpolation ([`sparse`]).
+//!
+//! Whatever random choices propose is certified: a candidate is accepted only when it divides both
+//! operands over the integers, and its degrees meet proven upper bounds or its cofactors are proven
+//! coprime. The choices come from fixed seeds: the same input takes the same way.
+
+mod degree_bounds;
+mod prs;
+mod shape;
+mod sparse;
+mod split;
+mod view;
+
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_traits::{One, Signed, Zero};
+
+use crate::budget::Budget;
+use crate::error::Error;
+use crate::polynomial::Polynomial;
+use crate::ring::Ring;
+use shape::Operand;
+
+/// A greatest common divisor and what it leaves: `first operand = gcd · first`, `second operand = gcd · second`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cofactors {
+    /// The greatest common divisor, with a positive leading coefficient; 0 only if both operands are.
+    pub gcd: Polynomial,
+    /// The first operand divided by the gcd; 0 if the operand is.
+    pub first: Polynomial,
+    /// The second operand divided by the gcd; 0 if the operand is.
+    pub second: Polynomial,
+}
+
+/// The greatest common divisor, with a positive leading coefficient; `gcd(0, 0) = 0`.
+///
+/// # Panics
+/// If the operands belong to different rings, or a degree is beyond what dense univariate images can
+/// hold (some ten million); [`gcd_within`] returns these as errors.
+pub fn gcd(f: &Polynomial, g: &Polynomial) -> Polynomial {
+    gcd_within(f, g, &Budget::unlimited()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The greatest common divisor within a budget.
+pub fn gcd_within(f: &Polynomial, g: &Polynomial, budget: &Budget) -> Result<Polynomial, Error> {
+    Ok(common(f, g, budget)?.gcd)
+}
+
+/// The greatest common divisor and the cofactors, which it mostly yields for nothing.
+///
+/// # Panics
+/// As [`gcd`].
+pub fn gcd_cofactors(f: &Polynomial, g: &Polynomial) -> Cofactors {
+    gcd_cofactors_within(f, g, &Budget::unlimited()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The greatest common divisor and the cofactors within a budget.
+pub fn gcd_cofactors_within(
+    f: &Polynomial,
+    g: &Polynomial,
+    budget: &Budget,
+) -> Result<Cofactors, Error> {
+    let Common { gcd, quotients } = common(f, g, budget)?;
+    let (first, second) = match quotients {
+        Some(quotients) => quotients,
+        None if gcd.is_one() => (f.clone(), g.clone()),
+        None => {
+            let divide = |p: &Polynomial| {
+                if p.is_zero() {
+                    p.clone()
+                } else {
+                    exact(p, &gcd)
+                }
+            };
+            (divide(f), divide(g))
+        }
+    };
+    Ok(Cofactors { gcd, first, second })
+}
+
+/// The greatest common divisor of any number of polynomials; 0 for none.
+///
+/// # Panics
+/// As [`gcd`].
+pub fn gcd_of<'a>(ring: Ring, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Polynomial {
+    let list = polynomials.into_iter().cloned().collect();
+    split::gcd_of_list(ring, list, &Budget::unlimited()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The least common multiple, with a positive leading coefficient; zero if an operand is.
+///
+/// # Panics
+/// As [`gcd`], or on an exponent overflow.
+pub fn lcm(f: &Polynomial, g: &Polynomial) -> Polynomial {
+    if f.is_zero() || g.is_zero() {
+        assert!(f.ring() == g.ring(), "{}", Error::RingMismatch);
+        return Polynomial::zero(f.ring());
+    }
+    let Cofactors { first, .. } = gcd_cofactors(f, g);
+    (first * g).unit_normal()
+}
+
+impl Polynomial {
+    /// The content as a polynomial in one variable: the gcd of its coefficients, which are polynomials in
+    /// the others. Its leading coefficient is positive; it is 0 for the zero polynomial.
+    ///
+    /// # Panics
+    /// As [`gcd`].
+    pub fn content_in(&self, variable: usize) -> Polynomial {
+        self.content_in_within(variable, &Budget::unlimited())
+            .unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// The content as a polynomial in one variable, within a budget.
+    pub(crate) fn content_in_within(
+        &self,
+        variable: usize,
+        budget: &Budget,
+    ) -> Result<Polynomial, Error> {
+        split::gcd_of_list(self.ring(), self.coefficients_in(variable), budget)
+    }
+}
+
+/// A gcd and, where they fell off on the way, the operands divided by it.
+pub(crate) struct Common {
+    pub(crate) gcd: Polynomial,
+    pub(crate) quotients: Option<(Polynomial, Polynomial)>,
+}
+
+/// f/g for a g that is known to divide.
+fn exact(f: &Polynomial, g: &Polynomial) -> Polynomial {
+    f.div_exact(g).expect("a known divisor")
+}
+
+/// The gcd with its parts in order: integer content, monomial content, and the rest.
+pub(crate) fn common(f: &Polynomial, g: &Polynomial, budget: &Budget) -> Result<Common, Error> {
+    common_from_prime(f, g, 0, budget)
+}
+
+/// The same, where the prime number `first` of the sequence is the first to be tried.
+fn common_from_prime(
+    f: &Polynomial,
+    g: &Polynomial,
+    first: usize,
+    budget: &Budget,
+) -> Result<Common, Error> {
+    let ring = f.ring();
+    if ring != g.ring() {
+        return Err(Error::RingMismatch);
+    }
+    if f.is_zero() {
+        return Ok(Common {
+            gcd: g.unit_normal(),
+            quotients: None,
+        });
+    }
+    if g.is_zero() || f == g {
+        return Ok(Common {
+            gcd: f.unit_normal(),
+            quotients: None,
+        });
+    }
+    let operands = [Operand::new(f), Operand::new(g)];
+    let primitive = if f.len() == 1 || g.len() == 1 {
+        None
+    } else {
+        primitive_common(&operands, first, budget)?
+    };
+    let content = common_content(f, g);
+    let [low, other] = [0, 1].map(|which| &operands[which].shape.low);
+    let monomial: Vec<u32> = low.iter().zip(other).map(|(&a, &b)| a.min(b)).collect();
+    if content.is_one() && monomial.iter().all(|&e| e == 0) {
+        return Ok(primitive.unwrap_or_else(|| Common {
+            gcd: Polynomial::one(ring),
+            quotients: None,
+        }));
+    }
+    let term = Polynomial::from_terms(ring, [(monomial, content)])?;
+    Ok(match primitive {
+        None => Common {
+            gcd: term,
+            quotients: None,
+        },
+        Some(Common { gcd, quotients }) => {
+            let quotients = quotients.map(|(p, q)| (exact(&p, &term), exact(&q, &term)));
+            Common {
+                gcd: gcd.try_mul(&term)?,
+                quotients,
+            }
+        }
+    })
+}
+
+/// The gcd of all coefficients of both.
+fn common_content(f: &Polynomial, g: &Polynomial) -> BigInt {
+    let (short, long) = if f.len() <= g.len() { (f, g) } else { (g, f) };
+    let content = short.content();
+    if content.is_one() {
+        content
+    } else {
+        content.gcd(&long.content())
+    }
+}
+
+/// The gcd of two polynomials of at least two terms each, less its integer and monomial content;
+/// `None` if nothing is left, that is, if it is a term.
+fn primitive_common(
+    operands: &[Operand; 2],
+    first: usize,
+    budget: &Budget,
+) -> Result<Option<Common>, Error> {
+    let polynomials = [operands[0].polynomial, operands[1].polynomial];
+    let n = polynomials[0].ring().len();
+    let varies = |which: usize, v: usize| operands[which].shape.varies(v);
+    for v in 0..n {
+        for (which, other) in [(0, 1), (1, 0)] {
+            if varies(which, v) && !varies(other, v) && operands[which].shape.has_lone_extreme(v) {
+                return Ok(None);
+            }
+        }
+    }
+    let shared: Vec<usize> = (0..n).filter(|&v| varies(0, v) && varies(1, v)).collect();
+    if shared.is_empty() {
+        return Ok(None);
+    }
+    budget.spend((polynomials[0].len() + polynomials[1].len()) as u64)?;
+    let views = view::Views::new(operands, shared)?;
+    let bounds = degree_bounds::degree_bounds(&views, first);
+    if bounds.iter().all(|&d| d == 0) {
+        return Ok(None);
+    }
+    // Variables that the gcd cannot contain.
+    let mut absent: Vec<bool> = (0..n).map(|v| varies(0, v) != varies(1, v)).collect();
+    for (&v, &bound) in views.variables.iter().zip(&bounds) {
+        absent[v] |= bound == 0;
+    }
+    if absent.contains(&true) {
+        return split::common_without(polynomials, &absent, budget);
+    }
+    // An operand may divide the other.
+    for (which, other) in [(0, 1), (1, 0)] {
+        if views.degrees[which] == bounds
+            && let Some(found) =
+                common_divisor(polynomials, &primitive_part(polynomials[which]), other)
+        {
+            return Ok(Some(found));
+        }
+    }
+    sparse::sparse_gcd(&views, &bounds, first, budget)
+}
+
+/// The candidate as a common divisor with positive leading coefficient, if it divides both operands;
+/// the operand number `first` is asked first.
+fn common_divisor(
+    operands: [&Polynomial; 2],
+    candidate: &Polynomial,
+    first: usize,
+) -> Option<Common> {
+    let asked = operands[first].div_exact(candidate)?;
+    let other = operands[1 - first].div_exact(candidate)?;
+    let (p, q) = if first == 0 {
+        (asked, other)
+    } else {
+        (other, asked)
+    };
+    Some(if candidate.leading_coefficient().is_negative() {
+        Common {
+            gcd: -candidate,
+            quotients: Some((-p, -q)),
+        }
+    } else {
+        Common {
+            gcd: candidate.clone(),
+            quotients: Some((p, q)),
+        }
+    })
+}
+
+/// The polynomial without its integer and monomial content.
+fn primitive_part(f: &Polynomial) -> Polynomial {
+    let monomial = f.monomial_content();
+    let content = f.content();
+    if content.is_zero() || (content.is_one() && monomial.is_one()) {
+        return f.clone();
+    }
+    exact(
+        f,
+        &Polynomial::from_terms(f.ring(), [(monomial, content)]).expect("a term of this ring"),
+    )
+}

@@ -1,0 +1,681 @@
+//! The gcd by sparse interpolation of univariate images modulo primes of 62 bits.
+//!
+//! With a main variable x and γ the gcd of the leading (or the trailing) coefficients in x, the
+//! polynomial Γ = (γ / lc G)·G has integer coefficients and a known leading coefficient, so that its
+//! images at different points and primes fit together. For a random point β and an α of order 2^k, the
+//! images at β·α^(S·j), j = 0, 1, ..., are monic univariate gcds scaled by γ; each coefficient of a power
+//! of x runs through a sequence whose least recurrence gives the monomials. S is a mixed radix (Kronecker's
+//! substitution) large enough to tell all monomials apart, and β makes the choice generic. The number
+//! of images is twice the number of terms of the largest coefficient, instead of the product of degrees.
+//! The first prime finds the monomials; further primes, if coefficients need them, take half the images.
+//!
+//! R. Zippel, *Probabilistic algorithms for sparse polynomials*, 1979; J. Hu and M. Monagan, *A fast parallel
+//! sparse polynomial GCD algorithm*, 2016.
+
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_traits::{One, Zero};
+
+use super::view::{PowerTable, Views, random_elements};
+use super::{Common, common, common_divisor, common_from_prime, prs};
+use crate::budget::Budget;
+use crate::error::Error;
+use crate::modular::{
+    BerlekampMassey, ChineseRemainder, PrimeField, solve_transposed_vandermonde,
+    subgroup_logarithms, two_adic_primes,
+};
+use crate::polynomial::Polynomial;
+use crate::univariate::modular as dense;
+
+/// How often the search starts afresh before the slow method takes over; once is the rule.
+const ATTEMPTS: u64 = 12;
+
+/// The gcd of two polynomials that depend on the same variables, less its integer and monomial
+/// content; `None` if that is 1. `bounds` are upper bounds of its degrees in the variables of the view;
+/// the first prime is number `first` of the sequence.
+pub(super) fn sparse_gcd(
+    views: &Views,
+    bounds: &[u32],
+    first: usize,
+    budget: &Budget,
+) -> Result<Option<Common>, Error> {
+    let plan = Plan::new(views, bounds, budget)?;
+    match plan.two_adicity() {
+        Some(k) => sparse_gcd_modulo(
+            views,
+            bounds,
+            &plan,
+            first,
+            two_adic_primes(k).skip(first),
+            budget,
+        ),
+        None => prs::primitive_gcd(views.polynomials(), budget),
+    }
+}
+
+/// The same with a given sequence of primes.
+fn sparse_gcd_modulo(
+    views: &Views,
+    bounds: &[u32],
+    plan: &Plan,
+    first: usize,
+    primes: impl Iterator<Item = u64>,
+    budget: &Budget,
+) -> Result<Option<Common>, Error> {
+    let mut known: Option<(Support, ChineseRemainder)> = None;
+    let mut restarts = 0;
+    for (number, p) in primes.enumerate() {
+        if restarts > ATTEMPTS {
+            break;
+        }
+        let Some(field) = PrimeField::new(p) else {
+            continue;
+        };
+        let Some(mut images) = Images::new(&field, views, plan, number as u64) else {
+            continue;
+        };
+        let stable = match &mut known {
+            None => {
+                let Some((support, residues)) = images.interpolate(bounds, budget)? else {
+                    restarts += 1;
+                    continue;
+                };
+                let remainder = ChineseRemainder::new(&field, &residues);
+                // If all coefficients are well below the prime, they are hardly residues of larger ones.
+                let clearance = 40 / (1 + residues.len() as u64);
+                let small = remainder.values().iter().all(|c| c.bits() + clearance < 61);
+                known = Some((support, remainder));
+                small
+            }
+            Some((support, remainder)) => match images.interpolate_on(support, budget)? {
+                Some(residues) => !remainder.add(&field, &residues),
+                None => {
+                    // Either this prime or the first one was unlucky: begin again.
+                    known = None;
+                    restarts += 1;
+                    continue;
+                }
+            },
+        };
+        let Some((support, remainder)) = &known else {
+            continue;
+        };
+        budget.check_bits(remainder.modulus().bits())?;
+        if !stable {
+            continue;
+        }
+        let candidate = plan.candidate(views, support, remainder.values(), bounds, budget)?;
+        if let Some(found) = common_divisor(views.polynomials(), &candidate, 0) {
+            return finish(found, views, bounds, first + number + 1, budget);
+        }
+        restarts += 1;
+        known = None;
+    }
+    prs::primitive_gcd(views.polynomials(), budget)
+}
+
+/// Makes sure that a common divisor is the greatest: by its degrees, or else by what its cofactors
+/// have in common modulo later primes.
+fn finish(
+    found: Common,
+    views: &Views,
+    bounds: &[u32],
+    next: usize,
+    budget: &Budget,
+) -> Result<Option<Common>, Error> {
+    let degrees = found.gcd.degrees();
+    let attained = |((&v, &bound), &stride): ((&usize, &u32), &u32)| degrees[v] == bound * stride;
+    let mut greatest = Some(found);
+    if !views
+        .variables
+        .iter()
+        .zip(bounds)
+        .zip(&views.stride)
+        .all(attained)
+        && let Some(Common {
+            gcd,
+            quotients: Some((p, q)),
+        }) = &greatest
+    {
+        let rest = common_from_prime(p, q, next, budget)?.gcd;
+        if rest.len() > 1 {
+            greatest = Some(Common {
+                gcd: super::primitive_part(&gcd.try_mul(&rest)?),
+                quotients: None,
+            });
+        }
+    }
+    Ok(greatest.filter(|common| common.gcd.len() > 1))
+}
+
+/// What is decided before any prime is chosen.
+struct Plan {
+    /// The position of the main variable in the view.
+    main: usize,
+    /// Whether γ belongs to the leading coefficient, not to the trailing one.
+    leading: bool,
+    /// The gcd γ of the two extreme coefficients, as a polynomial of the ring.
+    gamma: Polynomial,
+    /// The exponents of γ as seen in the view, term after term.
+    gamma_exponents: Vec<u32>,
+    /// For each variable of the view, one more than the degree bound of Γ; 1 for the main variable.
+    radix: Vec<u64>,
+}
+
+impl Plan {
+    fn new(views: &Views, bounds: &[u32], budget: &Budget) -> Result<Plan, Error> {
+        // The fewest terms in an extreme coefficient for each power of the main variable.
+        let cost = |i: usize, leading: bool| {
+            let v = views.variables[i];
+            let shapes = [0, 1].map(|which| &views.operands[which].shape);
+            let counts = shapes.map(|s| {
+                if leading {
+                    s.high_count[v]
+                } else {
+                    s.low_count[v]
+                }
+            });
+            let terms = counts[0].min(counts[1]);
+            u64::from(terms) * 1_000_000 / (u64::from(bounds[i]) + 1)
+        };
+        let (main, leading) = (0..views.variables.len())
+            .flat_map(|i| [(i, true), (i, false)])
+            .min_by_key(|&(i, leading)| cost(i, leading))
+            .expect("a variable that both contain");
+        let [p, q] = [0, 1].map(|which| extreme_coefficient(views, which, main, leading));
+        let gamma = common(&p, &q, budget)?.gcd;
+        let mut gamma_exponents = Vec::new();
+        let mut radix: Vec<u64> = vec![1; bounds.len()];
+        for exponents in gamma.exponents_flat().chunks_exact(gamma.ring().len()) {
+            for (&v, &stride) in views.variables.iter().zip(&views.stride) {
+                gamma_exponents.push(exponents[v] / stride);
+            }
+        }
+        for (i, bound) in bounds.iter().enumerate().filter(|(i, _)| *i != main) {
+            let in_gamma = gamma_exponents
+                .chunks_exact(bounds.len())
+                .map(|e| e[i])
+                .max()
+                .unwrap_or(0);
+            radix[i] = u64::from(*bound) + u64::from(in_gamma) + 1;
+        }
+        Ok(Plan {
+            main,
+            leading,
+            gamma,
+            gamma_exponents,
+            radix,
+        })
+    }
+
+    /// The number of monomials that Γ can have for each power of the main variable.
+    fn range(&self) -> Option<u64> {
+        self.radix
+            .iter()
+            .try_fold(1u64, |product, &r| product.checked_mul(r))
+    }
+
+    /// The 2-adicity wanted of the primes, if such primes exist.
+    fn two_adicity(&self) -> Option<u32> {
+        let bits = 64 - (self.range()? - 1).leading_zeros();
+        [32, 40, 50].into_iter().find(|&k| bits <= k)
+    }
+
+    /// The candidate for the gcd from the integer coefficients of Γ.
+    fn candidate(
+        &self,
+        views: &Views,
+        support: &Support,
+        values: &[BigInt],
+        bounds: &[u32],
+        budget: &Budget,
+    ) -> Result<Polynomial, Error> {
+        let ring = self.gamma.ring();
+        let (n, main) = (views.variables.len(), views.variables[self.main]);
+        let mut content = self.gamma.content();
+        for value in values {
+            if content.is_one() {
+                break;
+            }
+            content = content.gcd(value);
+        }
+        let mut terms = Vec::with_capacity(values.len() + self.gamma.len());
+        let extreme = if self.leading { support.degree } else { 0 };
+        for (monomial, c) in self.gamma.terms() {
+            let mut exponents = monomial.exponents().to_vec();
+            exponents[main] = extreme * views.stride[self.main];
+            terms.push((exponents, c / &content));
+        }
+        let mut values = values.iter();
+        let mut degrees = vec![0; n];
+        for (k, exponents) in support.groups() {
+            for &packed in exponents {
+                let value = values.next().expect("one value for each monomial");
+                if value.is_zero() {
+                    continue;
+                }
+                let mut full = vec![0; ring.len()];
+                let mut rest = packed;
+                for i in 0..n {
+                    let e = if i == self.main {
+                        k
+                    } else {
+                        (rest % self.radix[i]) as u32
+                    };
+                    rest /= self.radix[i];
+                    full[views.variables[i]] = e * views.stride[i];
+                    degrees[i] = degrees[i].max(e);
+                }
+                terms.push((full, value / &content));
+            }
+        }
+        for (i, degree) in degrees.iter_mut().enumerate() {
+            let in_gamma = self
+                .gamma_exponents
+                .chunks_exact(n)
+                .map(|e| e[i])
+                .max()
+                .unwrap_or(0);
+            *degree = if i == self.main {
+                support.degree
+            } else {
+                (*degree).max(in_gamma)
+            };
+        }
+        let scaled = Polynomial::from_terms(ring, terms)?;
+        // Γ is G itself up to a term unless its degrees pass those of G.
+        let scaled = super::primitive_part(&scaled);
+        if self.gamma.len() == 1 || degrees.iter().zip(bounds).all(|(d, b)| d <= b) {
+            return Ok(scaled);
+        }
+        let content = scaled.content_in_within(main, budget)?;
+        Ok(super::exact(&scaled, &content))
+    }
+}
+
+/// The leading or trailing coefficient of an operand in a variable of the view, less the operand's
+/// monomial content.
+fn extreme_coefficient(views: &Views, which: usize, main: usize, leading: bool) -> Polynomial {
+    let operand = &views.operands[which];
+    let (v, shape) = (views.variables[main], &operand.shape);
+    let wanted = if leading { shape.high[v] } else { shape.low[v] };
+    let terms = operand
+        .polynomial
+        .terms()
+        .filter(|(monomial, _)| monomial[v] == wanted)
+        .map(|(monomial, c)| {
+            let above: Vec<u32> = monomial
+                .iter()
+                .zip(&shape.low)
+                .map(|(e, low)| e - low)
+                .collect();
+            (above, c)
+        });
+    let coefficient =
+        Polynomial::from_terms(operand.polynomial.ring(), terms).expect("terms of the ring");
+    if leading {
+        without(coefficient, v)
+    } else {
+        coefficient
+    }
+}
+
+/// The polynomial with a variable set to 1.
+fn without(f: Polynomial, variable: usize) -> Polynomial {
+    let terms = f.terms().map(|(monomial, c)| {
+        let mut exponents = monomial.exponents().to_vec();
+        exponents[variable] = 0;
+        (exponents, c)
+    });
+    Polynomial::from_terms(f.ring(), terms).expect("terms of the ring")
+}
+
+/// The monomials of Γ, less those of its known extreme coefficient.
+struct Support {
+    /// The degree in the main variable.
+    degree: u32,
+    /// For each power of the main variable, the packed exponents of the other variables.
+    exponents: Vec<Vec<u64>>,
+}
+
+impl Support {
+    /// The powers of the main variable with their packed monomials.
+    fn groups(&self) -> impl Iterator<Item = (u32, &Vec<u64>)> {
+        (0..).zip(&self.exponents)
+    }
+}
+
+/// The images modulo one prime along one geometric sequence of points.
+struct Images<'a> {
+    field: &'a PrimeField,
+    plan: &'a Plan,
+    operands: [Geometric; 2],
+    gamma: Geometric,
+    /// An element whose order is the least power of two, 2^k, not below the range.
+    alpha: u64,
+    k: u32,
+    /// The inverses of the coordinates of β.
+    inverse_beta: Vec<u64>,
+    range: u64,
+    /// The terms of both operands: what an image costs.
+    cost: u64,
+}
+
+impl<'a> Images<'a> {
+    /// `None` if the field has no element of the order wanted.
+    fn new(field: &'a PrimeField, views: &Views, plan: &'a Plan, seed: u64) -> Option<Images<'a>> {
+        let n = views.variables.len();
+        let range = plan.range()?;
+        let k = 64 - (range - 1).leading_zeros();
+        let alpha = root_of_unity(field, k)?;
+        let beta = random_elements(field, seed.wrapping_mul(0x1_0001).wrapping_add(77), n);
+        let mut strides = vec![0; n];
+        let mut weight = 1u64;
+        for (stride, &radix) in strides.iter_mut().zip(&plan.radix) {
+            *stride = weight;
+            weight *= radix;
+        }
+        let steps: Vec<u64> = (0..n)
+            .map(|i| {
+                if i == plan.main {
+                    field.one()
+                } else {
+                    field.pow(alpha, strides[i])
+                }
+            })
+            .collect();
+        let gamma_degree = |i: usize| {
+            plan.gamma_exponents
+                .chunks_exact(n)
+                .map(|e| e[i])
+                .max()
+                .unwrap_or(0)
+        };
+        let degree = |i: usize| {
+            views.degrees[0][i]
+                .max(views.degrees[1][i])
+                .max(gamma_degree(i))
+        };
+        // The main variable stays: its powers only sort the terms.
+        let mut starts = beta.clone();
+        starts[plan.main] = field.one();
+        let starts = PowerTable::new(field, &starts, (0..n).map(degree));
+        let steps = PowerTable::new(field, &steps, (0..n).map(degree));
+        let geometric = |f: &Polynomial, exponents: &[u32], degree: u32| {
+            Geometric::new(field, f, exponents, plan.main, degree, &starts, &steps)
+        };
+        let operand = |w: usize| {
+            geometric(
+                views.operands[w].polynomial,
+                &views.exponents[w],
+                views.degrees[w][plan.main],
+            )
+        };
+        let operands = [operand(0), operand(1)];
+        let gamma = geometric(&plan.gamma, &plan.gamma_exponents, 0);
+        let mut inverse_beta = beta;
+        field.invert_all(&mut inverse_beta);
+        let cost = views.polynomials().iter().map(|f| f.len() as u64).sum();
+        Some(Images {
+            field,
+            plan,
+            operands,
+            gamma,
+            alpha,
+            k,
+            inverse_beta,
+            range,
+            cost,
+        })
+    }
+
+    /// The next image of Γ: its coefficients of the powers of the main variable. `None` at a point where
+    /// an extreme coefficient vanishes.
+    fn next(&mut self) -> Option<Vec<u64>> {
+        let field = self.field;
+        let [mut f, mut g] = [0, 1].map(|which| self.operands[which].next(field));
+        let gamma = self.gamma.next(field)[0];
+        let extreme = |image: &[u64]| {
+            if self.plan.leading {
+                image.last().copied()
+            } else {
+                image.first().copied()
+            }
+        };
+        if gamma == 0 || (extreme(&f) == Some(0) && extreme(&g) == Some(0)) {
+            return None;
+        }
+        dense::trim(&mut f);
+        dense::trim(&mut g);
+        let mut image = dense::gcd_up_to_unit(field, f, g);
+        // γ comes in plain form and divided by R once more.
+        let gamma = field.from_u64(field.from_u64(gamma));
+        let scale = field.mul(gamma, field.inverse(extreme(&image)?)?);
+        dense::scale(field, &mut image, scale);
+        Some(image)
+    }
+
+    /// The monomials of Γ and its coefficients modulo the prime.
+    fn interpolate(
+        &mut self,
+        bounds: &[u32],
+        budget: &Budget,
+    ) -> Result<Option<(Support, Vec<u64>)>, Error> {
+        let field = self.field;
+        let Some(first) = self.next() else {
+            return Ok(None);
+        };
+        let degree = first.len() - 1;
+        if degree as u64 > u64::from(bounds[self.plan.main]) {
+            return Ok(None);
+        }
+        let known = if self.plan.leading { degree } else { 0 };
+        let mut sequences: Vec<BerlekampMassey> =
+            first.iter().map(|_| BerlekampMassey::new(field)).collect();
+        let mut image = first;
+        let mut count = 0;
+        let solved = loop {
+            budget.spend(self.cost)?;
+            for (k, (sequence, &value)) in sequences.iter_mut().zip(&image).enumerate() {
+                if k != known {
+                    sequence.push(field, value);
+                }
+            }
+            count += 1;
+            let finished = |(k, s): (usize, &BerlekampMassey)| k == known || s.confirmations() > 0;
+            if count > 1 && sequences.iter().enumerate().all(finished) {
+                break true;
+            }
+            if count == self.range {
+                break false;
+            }
+            match self.next() {
+                Some(next) if next.len() == degree + 1 => image = next,
+                _ => return Ok(None),
+            }
+        };
+        let mut exponents = Vec::with_capacity(degree + 1);
+        let mut residues = Vec::new();
+        for (k, sequence) in sequences.iter().enumerate() {
+            if k == known {
+                exponents.push(Vec::new());
+                continue;
+            }
+            let mut packed = if solved {
+                let Some(locator) = sequence.locator() else {
+                    return Ok(None);
+                };
+                let Some(packed) = subgroup_logarithms(field, &locator, self.alpha, self.k) else {
+                    return Ok(None);
+                };
+                packed
+            } else {
+                (0..self.range).collect()
+            };
+            if packed.last().is_some_and(|&e| e >= self.range) {
+                return Ok(None);
+            }
+            let Some(mut values) = self.solve(&packed, sequence.sequence()) else {
+                return Ok(None);
+            };
+            if !solved {
+                let mut nonzero = values.iter().map(|&c| c != 0);
+                packed.retain(|_| nonzero.next() == Some(true));
+                values.retain(|&c| c != 0);
+            }
+            exponents.push(packed);
+            residues.extend(values);
+        }
+        Ok(Some((
+            Support {
+                degree: degree as u32,
+                exponents,
+            },
+            residues,
+        )))
+    }
+
+    /// The coefficients of Γ modulo the prime, given its monomials; `None` if they do not fit.
+    fn interpolate_on(
+        &mut self,
+        support: &Support,
+        budget: &Budget,
+    ) -> Result<Option<Vec<u64>>, Error> {
+        // One image more than is needed tests the monomials.
+        let count = 1 + support.exponents.iter().map(Vec::len).max().unwrap_or(0);
+        let mut sequences = vec![Vec::with_capacity(count); support.exponents.len()];
+        for _ in 0..count {
+            budget.spend(self.cost)?;
+            match self.next() {
+                Some(image) if image.len() == sequences.len() => {
+                    for (sequence, value) in sequences.iter_mut().zip(image) {
+                        sequence.push(value);
+                    }
+                }
+                _ => return Ok(None),
+            }
+        }
+        let known = if self.plan.leading {
+            support.degree as usize
+        } else {
+            0
+        };
+        let mut residues = Vec::new();
+        for (k, (packed, sequence)) in support.exponents.iter().zip(&sequences).enumerate() {
+            if k != known {
+                let Some(values) = self.solve(packed, sequence) else {
+                    return Ok(None);
+                };
+                residues.extend(values);
+            }
+        }
+        Ok(Some(residues))
+    }
+
+    /// The coefficients of one power of the main variable from its monomials and its images; `None` if
+    /// a later image contradicts them.
+    fn solve(&self, packed: &[u64], sequence: &[u64]) -> Option<Vec<u64>> {
+        let field = self.field;
+        let nodes: Vec<u64> = packed.iter().map(|&e| field.pow(self.alpha, e)).collect();
+        let mut values = solve_transposed_vandermonde(field, &nodes, sequence)?;
+        if let Some(&test) = sequence.get(nodes.len()) {
+            let terms = values.iter().zip(&nodes);
+            let power = nodes.len() as u64;
+            let predicted = terms.fold(0, |sum, (&c, &node)| {
+                field.add(sum, field.mul(c, field.pow(node, power)))
+            });
+            if predicted != test {
+                return None;
+            }
+        }
+        // So far they are the coefficients of Γ(β·x).
+        for (value, &packed) in values.iter_mut().zip(packed) {
+            let mut rest = packed;
+            for (&inverse, &radix) in self.inverse_beta.iter().zip(&self.plan.radix) {
+                *value = field.mul(*value, field.pow(inverse, rest % radix));
+                rest /= radix;
+            }
+        }
+        Some(values)
+    }
+}
+
+/// An element of the order 2^k.
+fn root_of_unity(field: &PrimeField, k: u32) -> Option<u64> {
+    if k == 0 {
+        return Some(field.one());
+    }
+    if (field.modulus() - 1).trailing_zeros() < k {
+        return None;
+    }
+    (2..200)
+        .map(|a| field.pow(field.from_u64(a), (field.modulus() - 1) >> k))
+        .find(|&a| field.pow(a, 1 << (k - 1)) == field.neg(field.one()))
+}
+
+/// The values of the terms of a polynomial along a geometric sequence of points: each is multiplied by
+/// its own ratio from one point to the next. Terms are grouped by their power of the main variable.
+struct Geometric {
+    values: Vec<u64>,
+    ratios: Vec<u64>,
+    /// Where the group of each power ends.
+    ends: Vec<usize>,
+    started: bool,
+}
+
+impl Geometric {
+    fn new(
+        field: &PrimeField,
+        f: &Polynomial,
+        exponents: &[u32],
+        main: usize,
+        degree: u32,
+        starts: &PowerTable,
+        steps: &PowerTable,
+    ) -> Geometric {
+        let n = exponents.len() / f.len();
+        let mut ends = vec![0; degree as usize + 1];
+        for term in exponents.chunks_exact(n) {
+            ends[term[main] as usize] += 1;
+        }
+        let mut total = 0;
+        for end in &mut ends {
+            total += std::mem::replace(end, total);
+        }
+        let mut images = Geometric {
+            values: vec![0; f.len()],
+            ratios: vec![0; f.len()],
+            ends,
+            started: false,
+        };
+        for (term, residue) in exponents.chunks_exact(n).zip(f.residues(field.modulus())) {
+            let place = &mut images.ends[term[main] as usize];
+            images.values[*place] = field.mul(residue, starts.monomial(field, term));
+            images.ratios[*place] = steps.monomial(field, term);
+            *place += 1;
+        }
+        images
+    }
+
+    /// The coefficients of the image at the next point, all divided by R.
+    fn next(&mut self, field: &PrimeField) -> Vec<u64> {
+        let mut image = Vec::with_capacity(self.ends.len());
+        let mut start = 0;
+        for &end in &self.ends {
+            let mut sum = 0u128;
+            for (value, &ratio) in self.values[start..end]
+                .iter_mut()
+                .zip(&self.ratios[start..end])
+            {
+                if self.started {
+                    *value = field.mul(*value, ratio);
+                }
+                sum += u128::from(*value);
+            }
+            image.push(field.reduce(sum));
+            start = end;
+        }
+        self.started = true;
+        image
+    }
+}
