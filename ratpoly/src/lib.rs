@@ -34,8 +34,11 @@ mod monomial;
 mod parse;
 mod polynomial;
 mod rational_function;
+mod real_roots;
+mod resultant;
 mod ring;
 mod serialize;
+mod sign;
 mod substitute;
 pub mod univariate;
 
@@ -48,7 +51,12 @@ pub use ideal::Ideal;
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use rational_function::RationalFunction;
+pub use real_roots::{Bound, RealRoot, SturmSequence, real_roots};
+pub use resultant::{
+    discriminant, discriminant_within, resultant, resultant_within, subresultants,
+};
 pub use ring::{Order, Ring};
+pub use sign::{Region, RegionSign, sign_of_quotient_on, sign_on};
 
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
