@@ -1,0 +1,317 @@
+//! Everything under one equation number: clauses, headings, ranges, remarks.
+
+use super::{Parse, Parser};
+use crate::diagnostic::DiagnosticKind;
+use crate::expr::{Bracket, Chain, Clause, Expr, ExprKind, IndexRange, Name, Relation};
+use crate::latex::layout::is_relation;
+use crate::latex::lexer::{Delimiter, Token};
+use crate::latex::vocabulary::{self, Environment};
+use num_rational::BigRational;
+use num_traits::One;
+
+impl Parser<'_> {
+    /// All clauses of the display.
+    pub(in crate::latex) fn display(&mut self) -> Parse<Vec<Clause>> {
+        let mut clauses = Vec::new();
+        while self.peek().is_some() {
+            self.clauses(&mut clauses)?;
+            if self.peek().is_some() {
+                let stray = self.unexpected("an equation");
+                self.diagnostics.push(*stray);
+                self.position += 1;
+            }
+        }
+        if clauses.is_empty() && self.diagnostics.is_empty() {
+            return Err(self.unexpected("an equation"));
+        }
+        Ok(clauses)
+    }
+
+    /// Clauses up to a closing lexeme; a bad one is reported and the next one read.
+    fn clauses(&mut self, clauses: &mut Vec<Clause>) -> Parse<()> {
+        loop {
+            self.skip_separators();
+            if self.at_close() {
+                return Ok(());
+            }
+            let start = self.position;
+            if let Err(diagnostic) = self.clause_or_group(clauses) {
+                if matches!(diagnostic.kind, DiagnosticKind::TooDeep { .. }) {
+                    return Err(diagnostic);
+                }
+                self.diagnostics.push(*diagnostic);
+                self.position = self.position.max(start);
+                self.skip_clause(start);
+            }
+        }
+    }
+
+    fn is_separator(token: &Token) -> bool {
+        matches!(
+            token,
+            Token::Symbol(',' | ';' | '.') | Token::RowBreak | Token::Space(_)
+        ) || matches!(token, Token::Text(word) if vocabulary::is_conjunction(word.trim()))
+    }
+
+    fn skip_separators(&mut self) {
+        loop {
+            if self.peek().is_some_and(Self::is_separator) {
+                self.position += 1;
+            } else if self.at_bare_and() {
+                self.position += 3;
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// The word "and" set in italics by an author who forgot `\text`.
+    fn at_bare_and(&self) -> bool {
+        let letters = ['a', 'n', 'd'];
+        let set = letters.iter().enumerate().all(|(distance, letter)| {
+            self.peek_at(distance) == Some(&Token::Letter(*letter))
+                && (distance == 0 || !self.lexemes[self.position + distance].spaced)
+        });
+        set && self.position > 0
+            && match self.lexemes.get(self.position + 3) {
+                Some(next) => {
+                    matches!(next.token, Token::Space(_))
+                        || next.spaced && !is_relation(&next.token)
+                }
+                None => false,
+            }
+    }
+
+    /// Goes to the separator that ends the clause that began at `start`.
+    fn skip_clause(&mut self, start: usize) {
+        let failed = self.position;
+        self.position = start;
+        while let Some(token) = self.peek() {
+            match token {
+                Token::Open(_) | Token::Begin(_) => {
+                    self.position = self.partner[self.position];
+                }
+                Token::Close(_) | Token::End(_) if self.position >= failed => return,
+                token if self.position >= failed && Self::is_separator(token) => return,
+                _ => {}
+            }
+            self.position += 1;
+        }
+    }
+
+    fn clause_or_group(&mut self, clauses: &mut Vec<Clause>) -> Parse<()> {
+        match (self.peek(), self.peek_at(1)) {
+            (Some(Token::Begin(Environment::Lines)), _) if self.is_group(self.position) => {
+                let end = self.partner[self.position];
+                self.position += 1;
+                self.nested(|parser| parser.clauses(clauses))?;
+                self.close(end)
+            }
+            (
+                Some(Token::Open(Delimiter::Stretched(Bracket::None | Bracket::Curly))),
+                Some(Token::Begin(Environment::Lines)),
+            ) => {
+                let close = self.partner[self.position];
+                self.position += 1;
+                self.nested(|parser| parser.clauses(clauses))?;
+                self.close(close)
+            }
+            (Some(Token::Open(_)), _) if self.is_bracketed_clause() => {
+                let close = self.partner[self.position];
+                self.position += 1;
+                self.nested(|parser| parser.clauses(clauses))?;
+                self.close(close)
+            }
+            _ => self.clause(clauses),
+        }
+    }
+
+    /// Whether the lines hold equations and not one expression that a chain goes on with.
+    fn is_group(&self, begin: usize) -> bool {
+        let after = self.lexemes.get(self.partner[begin] + 1);
+        !after.is_some_and(|lexeme| is_relation(&lexeme.token))
+    }
+
+    /// `(g^2 q = 2a)` standing alone.
+    fn is_bracketed_clause(&self) -> bool {
+        if !matches!(
+            self.peek(),
+            Some(Token::Open(
+                Delimiter::Visible(Bracket::Round) | Delimiter::Stretched(Bracket::Round)
+            ))
+        ) {
+            return false;
+        }
+        let close = self.partner[self.position];
+        let mut position = self.position + 1;
+        let mut related = false;
+        while position < close {
+            let token = &self.lexemes[position].token;
+            related |= is_relation(token);
+            if matches!(token, Token::Open(_) | Token::Begin(_)) {
+                position = self.partner[position];
+            }
+            position += 1;
+        }
+        related
+            && self
+                .lexemes
+                .get(close + 1)
+                .is_none_or(|l| Self::is_separator(&l.token) || matches!(l.token, Token::End(_)))
+    }
+
+    fn clause(&mut self, clauses: &mut Vec<Clause>) -> Parse<()> {
+        let heading = self.heading();
+        self.skip_separators();
+        let chain = self.chain()?;
+        if let Some(range) = self.range(&chain)? {
+            return match clauses.last_mut() {
+                Some(clause) => {
+                    clause.ranges.push(range);
+                    Ok(())
+                }
+                None => {
+                    let kind = DiagnosticKind::Unexpected {
+                        found: "the range of an index".to_owned(),
+                        expected: "an equation before it".to_owned(),
+                    };
+                    Err(self.error(kind, chain.span))
+                }
+            };
+        }
+        let remark = self.remark();
+        if !self.at_close()
+            && !self.peek().is_some_and(Self::is_separator)
+            && !matches!(self.peek(), Some(Token::Begin(_)))
+        {
+            return Err(self.unexpected("an operator, a relation or the end of the equation"));
+        }
+        clauses.push(Clause {
+            heading,
+            chain,
+            ranges: Vec::new(),
+            remark,
+        });
+        Ok(())
+    }
+
+    /// `\text{I:}`, `\text{I}:` or `(I) \quad`.
+    fn heading(&mut self) -> Option<String> {
+        if let Some(Token::Text(word)) = self.peek() {
+            let word = word.trim().to_owned();
+            if let Some(heading) = word.strip_suffix(':') {
+                self.position += 1;
+                return Some(heading.trim().to_owned());
+            }
+            if self.peek_at(1) == Some(&Token::Symbol(':')) {
+                self.position += 2;
+                return Some(word);
+            }
+            return None;
+        }
+        let Some(Token::Open(Delimiter::Visible(Bracket::Round))) = self.peek() else {
+            return None;
+        };
+        let close = self.partner[self.position];
+        if !matches!(
+            self.lexemes.get(close + 1).map(|l| &l.token),
+            Some(Token::Space(_))
+        ) {
+            return None;
+        }
+        let mut heading = String::new();
+        for lexeme in &self.lexemes[self.position + 1..close] {
+            match &lexeme.token {
+                Token::Letter(c @ ('I' | 'V' | 'X' | 'i' | 'v' | 'x')) => heading.push(*c),
+                Token::Text(word) => heading += word.trim(),
+                _ => return None,
+            }
+        }
+        if heading.is_empty() {
+            return None;
+        }
+        self.position = close + 1;
+        Some(heading)
+    }
+
+    /// Words after the equation.
+    fn remark(&mut self) -> Option<String> {
+        let mut words: Vec<String> = Vec::new();
+        while let Some(Token::Text(word)) = self.peek()
+            && self.is_remark(word)
+        {
+            words.push(word.trim().to_owned());
+            self.position += 1;
+        }
+        (!words.is_empty()).then(|| words.join(" "))
+    }
+
+    /// `m = 0(1)6`, or `m = 0, 1, \ldots, 6`, of which the first value is read.
+    fn range(&mut self, chain: &Chain) -> Parse<Option<IndexRange>> {
+        let ([left, right], [Relation::Equal]) =
+            (chain.members.as_slice(), chain.relations.as_slice())
+        else {
+            return Ok(None);
+        };
+        let ExprKind::Name(index) = &left.kind else {
+            return Ok(None);
+        };
+        if let ExprKind::Product(factors) = &right.kind
+            && let [from, step, rest @ ..] = factors.as_slice()
+            && let [first, .., last] | [first @ last] = rest
+            && let ExprKind::Number(_) = &from.kind
+            && let ExprKind::Group {
+                bracket: Bracket::Round,
+                inner,
+            } = &step.kind
+            && let ExprKind::Number(_) = &inner.kind
+        {
+            return Ok(Some(IndexRange {
+                index: index.clone(),
+                from: from.clone(),
+                step: (**inner).clone(),
+                to: super::product(rest.to_vec(), first.span.to(last.span)),
+            }));
+        }
+        self.dotted_range(index, right)
+    }
+
+    /// The rest of `m = 0, 1, \ldots, 6`.
+    fn dotted_range(&mut self, index: &Name, from: &Expr) -> Parse<Option<IndexRange>> {
+        let dots = |token: Option<&Token>| matches!(token, Some(Token::Command(c)) if matches!(c.as_str(), "ldots" | "dots" | "cdots"));
+        let comma = Token::Symbol(',');
+        if !self.at(&comma) {
+            return Ok(None);
+        }
+        let start = self.position;
+        let mut step = Expr::new(ExprKind::Number(BigRational::one()), self.here());
+        if dots(self.peek_at(1)) {
+            self.position += 2;
+        } else if matches!(self.peek_at(1), Some(Token::Number(_)))
+            && self.peek_at(2) == Some(&comma)
+            && dots(self.peek_at(3))
+        {
+            self.position += 1;
+            let second = self.number()?;
+            if let (ExprKind::Number(a), ExprKind::Number(b)) = (&from.kind, &second.kind)
+                && a < b
+            {
+                step = Expr::new(ExprKind::Number(b - a), second.span);
+            }
+            self.position += 2;
+        } else {
+            return Ok(None);
+        }
+        if !self.accept_symbol(',') {
+            self.position = start;
+            return Ok(None);
+        }
+        let to = self.expression()?;
+        Ok(Some(IndexRange {
+            index: index.clone(),
+            from: from.clone(),
+            step,
+            to,
+        }))
+    }
+}

@@ -1,0 +1,72 @@
+//! What a document declares about its letters, as far as reading depends on it.
+
+use super::writer::canonical;
+use crate::expr::{Letter, Name};
+use std::collections::BTreeSet;
+
+/// The names a document declares, as far as the reading of an equation depends on them.
+///
+/// `\zeta(t)` is an application if `\zeta` is a function, a product if it is declared as
+/// anything else, and an ambiguity if it is not declared. All names are compared by their
+/// [`canonical`] form without dots: `\dot{\zeta}(t)` is an application too.
+#[derive(Clone, Debug)]
+pub struct Signature {
+    functions: BTreeSet<String>,
+    names: BTreeSet<String>,
+    indexed: BTreeSet<Letter>,
+    expectation: Option<String>,
+}
+
+impl Default for Signature {
+    /// Nothing is declared; `E\{...\}` is the expectation.
+    fn default() -> Self {
+        Signature {
+            functions: BTreeSet::new(),
+            names: BTreeSet::new(),
+            indexed: BTreeSet::new(),
+            expectation: Some("E".to_owned()),
+        }
+    }
+}
+
+impl Signature {
+    /// Declares a name that is no function: a letter, a matrix, or with an index pattern such as
+    /// `H_{i,j}` every letter with an index.
+    pub fn declare(&mut self, name: &Name) {
+        self.names.insert(canonical(&name.undotted()));
+        if name.subscript.is_some() {
+            self.indexed.insert(name.letter.clone());
+        }
+    }
+
+    /// Declares a function of one or more letters.
+    pub fn declare_function(&mut self, name: &Name) {
+        self.functions.insert(canonical(&name.undotted()));
+    }
+
+    /// Chooses the letter that before `\{` stands for the expectation; `E` unless told.
+    pub fn set_expectation(&mut self, name: Option<&Name>) {
+        self.expectation = name.map(canonical);
+    }
+
+    /// Whether the name is a function.
+    pub fn is_function(&self, name: &Name) -> bool {
+        self.functions.contains(&canonical(&name.undotted()))
+    }
+
+    /// Whether the name is declared as something else than a function.
+    pub fn is_declared(&self, name: &Name) -> bool {
+        self.names.contains(&canonical(&name.undotted()))
+            || name.subscript.is_some() && self.indexed.contains(&name.letter)
+    }
+
+    /// Whether the name is the expectation where `\{` follows.
+    pub fn is_expectation(&self, name: &Name) -> bool {
+        self.expectation.as_deref() == Some(canonical(name).as_str())
+    }
+
+    /// Whether the italic letter is declared, as a function or not.
+    pub(super) fn knows_letter(&self, letter: &str) -> bool {
+        self.names.contains(letter) || self.functions.contains(letter)
+    }
+}
