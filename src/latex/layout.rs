@@ -27,11 +27,7 @@ pub(super) struct Layout {
 }
 
 /// Lexes and lays out a text; `display` says whether it may carry an equation number.
-pub(super) fn prepare(
-    text: &str,
-    offset: usize,
-    display: bool,
-) -> Result<Layout, Vec<Diagnostic>> {
+pub(super) fn prepare(text: &str, offset: usize, display: bool) -> Result<Layout, Vec<Diagnostic>> {
     let (lexemes, mut diagnostics) = lexer::lex(text, offset);
     let lexemes = join_broken_lines(lexemes);
     let partner = match pair(&lexemes) {
@@ -528,13 +524,26 @@ fn take_tag(output: &mut Vec<Lexeme>, diagnostics: &mut Vec<Diagnostic>) -> Opti
     if tag.is_some() {
         return tag;
     }
+    take_number(output, diagnostics)
+}
+
+/// Takes `(45)` off the end, also from inside the environment that ends there.
+fn take_number(output: &mut Vec<Lexeme>, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
     let round = Delimiter::Visible(Bracket::Round);
-    let (close, body) = output.split_last()?;
-    if close.token != Token::Close(round) {
+    let mut close = output.len().checked_sub(1)?;
+    while matches!(
+        output[close].token,
+        Token::End(Environment::Lines) | Token::Symbol('.')
+    ) {
+        close = close.checked_sub(1)?;
+    }
+    if output[close].token != Token::Close(round) {
         return None;
     }
-    let open = body.iter().rposition(|l| l.token == Token::Open(round))?;
-    let number = match &body[open + 1..] {
+    let open = output[..close]
+        .iter()
+        .rposition(|l| l.token == Token::Open(round))?;
+    let number = match &output[open + 1..close] {
         [digits] => match &digits.token {
             Token::Number(digits) if !digits.contains('.') => digits.clone(),
             _ => return None,
@@ -545,7 +554,7 @@ fn take_tag(output: &mut Vec<Lexeme>, diagnostics: &mut Vec<Diagnostic>) -> Opti
         },
         _ => return None,
     };
-    let before = open.checked_sub(1).map(|i| &body[i].token)?;
+    let before = open.checked_sub(1).map(|before| &output[before].token)?;
     let apart = matches!(
         before,
         Token::Space(_)
@@ -554,16 +563,19 @@ fn take_tag(output: &mut Vec<Lexeme>, diagnostics: &mut Vec<Diagnostic>) -> Opti
             | Token::Close(Delimiter::Stretched(Bracket::Curly | Bracket::None))
     ) || is_punctuation(before);
     if apart {
-        output.truncate(open);
+        output.drain(open..=close);
         return Some(number);
     }
-    if ends_operand(before) && body[open].spaced {
+    if close + 1 == output.len() && ends_operand(before) && output[open].spaced {
         let readings = vec![
             format!("the equation number ({number})"),
             format!("a factor ({number})"),
         ];
-        let span = body[open].span.to(close.span);
-        diagnostics.push(Diagnostic::new(DiagnosticKind::Ambiguous { readings }, span));
+        let span = output[open].span.to(output[close].span);
+        diagnostics.push(Diagnostic::new(
+            DiagnosticKind::Ambiguous { readings },
+            span,
+        ));
     }
     None
 }

@@ -199,7 +199,7 @@ impl Lexer<'_> {
 
     fn number(&mut self, start: usize) {
         let mut digits = self.take_while(|c| c.is_ascii_digit());
-        let rest = self.text[self.at..].as_bytes();
+        let rest = &self.text.as_bytes()[self.at..];
         if rest.first() == Some(&b'.') && rest.get(1).is_some_and(u8::is_ascii_digit) {
             self.at += 1;
             digits.push('.');

@@ -45,7 +45,9 @@ pub fn parse_display(
     let tag = layout.tag.clone();
     let mut parser = Parser::new(layout, signature);
     let clauses = parser.display();
-    parser.finish(clauses).map(|clauses| Display { clauses, tag })
+    parser
+        .finish(clauses)
+        .map(|clauses| Display { clauses, tag })
 }
 
 /// Reads one expression.

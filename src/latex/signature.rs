@@ -2,7 +2,7 @@
 
 use super::writer::canonical;
 use crate::expr::{Letter, Name};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The names a document declares, as far as the reading of an equation depends on them.
 ///
@@ -11,7 +11,8 @@ use std::collections::BTreeSet;
 /// [`canonical`] form without dots: `\dot{\zeta}(t)` is an application too.
 #[derive(Clone, Debug)]
 pub struct Signature {
-    functions: BTreeSet<String>,
+    /// Functions, with the bases of the letters they are functions of.
+    functions: BTreeMap<String, BTreeSet<String>>,
     names: BTreeSet<String>,
     indexed: BTreeSet<Letter>,
     expectation: Option<String>,
@@ -21,7 +22,7 @@ impl Default for Signature {
     /// Nothing is declared; `E\{...\}` is the expectation.
     fn default() -> Self {
         Signature {
-            functions: BTreeSet::new(),
+            functions: BTreeMap::new(),
             names: BTreeSet::new(),
             indexed: BTreeSet::new(),
             expectation: Some("E".to_owned()),
@@ -39,9 +40,13 @@ impl Signature {
         }
     }
 
-    /// Declares a function of one or more letters.
-    pub fn declare_function(&mut self, name: &Name) {
-        self.functions.insert(canonical(&name.undotted()));
+    /// Declares a function and the letters it is a function of.
+    pub fn declare_function(&mut self, name: &Name, variables: &[Name]) {
+        let variables = variables.iter().map(|v| v.letter.base.clone());
+        self.functions
+            .entry(canonical(&name.undotted()))
+            .or_default()
+            .extend(variables);
     }
 
     /// Chooses the letter that before `\{` stands for the expectation; `E` unless told.
@@ -51,7 +56,7 @@ impl Signature {
 
     /// Whether the name is a function.
     pub fn is_function(&self, name: &Name) -> bool {
-        self.functions.contains(&canonical(&name.undotted()))
+        self.functions.contains_key(&canonical(&name.undotted()))
     }
 
     /// Whether the name is declared as something else than a function.
@@ -67,6 +72,11 @@ impl Signature {
 
     /// Whether the italic letter is declared, as a function or not.
     pub(super) fn knows_letter(&self, letter: &str) -> bool {
-        self.names.contains(letter) || self.functions.contains(letter)
+        self.names.contains(letter) || self.functions.contains_key(letter)
+    }
+
+    /// The bases of the letters that the name is a function of, as far as they are declared.
+    pub(super) fn variables(&self, name: &Name) -> Option<&BTreeSet<String>> {
+        self.functions.get(&canonical(&name.undotted()))
     }
 }

@@ -55,13 +55,21 @@ pub fn write_display(display: &Display) -> String {
                 .iter()
                 .map(|clause| writer.clause(clause, true))
                 .collect();
-            format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(", \\\\\n"))
+            format!(
+                "\\begin{{aligned}}\n{}\n\\end{{aligned}}",
+                lines.join(", \\\\\n")
+            )
         }
     };
     if let Some(tag) = &display.tag {
         text += &format!(" \\tag{{{tag}}}");
     }
     text
+}
+
+/// The label of a subscript whose items are expressions.
+pub(super) fn index_label(indices: &[Expr]) -> String {
+    Writer::default().script().list(indices)
 }
 
 /// A subscript that is no expression, lexeme by lexeme.
@@ -679,8 +687,7 @@ impl Writer {
         let rows: Vec<String> = rows
             .iter()
             .map(|row| {
-                let entries: Vec<String> =
-                    row.iter().map(|entry| self.expression(entry)).collect();
+                let entries: Vec<String> = row.iter().map(|entry| self.expression(entry)).collect();
                 entries.join(" & ")
             })
             .collect();
@@ -769,11 +776,16 @@ impl Writer {
         } = range;
         let index = canonical(index);
         let printed = |expr: &Expr| self.expression(expr);
-        let numbers = matches!(from.kind, ExprKind::Number(_))
-            && matches!(step.kind, ExprKind::Number(_));
+        let numbers =
+            matches!(from.kind, ExprKind::Number(_)) && matches!(step.kind, ExprKind::Number(_));
         let simple = matches!(to.kind, ExprKind::Number(_) | ExprKind::Name(_));
         if numbers && simple {
-            return format!("{index} = {}({}){}", printed(from), printed(step), printed(to));
+            return format!(
+                "{index} = {}({}){}",
+                printed(from),
+                printed(step),
+                printed(to)
+            );
         }
         let second = match (&from.kind, &step.kind) {
             (ExprKind::Number(from), ExprKind::Number(step)) if !step.is_one() => {
@@ -781,7 +793,11 @@ impl Writer {
             }
             _ => String::new(),
         };
-        format!("{index} = {}, {second}\\ldots, {}", printed(from), printed(to))
+        format!(
+            "{index} = {}, {second}\\ldots, {}",
+            printed(from),
+            printed(to)
+        )
     }
 }
 

@@ -144,10 +144,7 @@ impl Parser<'_> {
             while self.accept_symbol('&') {
                 self.skip_words();
                 while self.position < end
-                    && !matches!(
-                        self.peek(),
-                        Some(Token::RowBreak | Token::Symbol('&'))
-                    )
+                    && !matches!(self.peek(), Some(Token::RowBreak | Token::Symbol('&')))
                 {
                     conditions.push(self.chain()?);
                     self.accept_punctuation();

@@ -328,7 +328,9 @@ impl<'s> Parser<'s> {
             Some(Token::Letter(_)) => !self.at_differential(),
             Some(Token::Number(_) | Token::Open(_) | Token::Begin(_)) => true,
             Some(Token::Text(word)) => {
-                !self.at_differential() && !self.is_remark(word) && !vocabulary::is_conjunction(word)
+                !self.at_differential()
+                    && !self.is_remark(word)
+                    && !vocabulary::is_conjunction(word)
             }
             Some(Token::Symbol('|')) => !self.in_bars,
             Some(Token::Command(command)) => starts_operand(command),

@@ -170,6 +170,11 @@ impl Parser<'_> {
         }
         let mut base = Expr::new(ExprKind::Name(name), scripted);
         if self.at_arguments(&base)? {
+            if let Some(exponent) = &exponent
+                && !self.arguments_after_exponent(&base)?
+            {
+                return self.raise(base, exponent.clone());
+            }
             let ExprKind::Name(function) = base.kind else {
                 return Ok(base);
             };
@@ -248,11 +253,9 @@ impl Parser<'_> {
     fn subscript(&mut self) -> Parse<Subscript> {
         if !self.at(&Token::Open(Delimiter::Brace)) {
             let index = self.argument(true)?;
-            let label = writer::write_expr(&index);
-            return Ok(Subscript {
-                indices: vec![index],
-                label,
-            });
+            let indices = vec![index];
+            let label = writer::index_label(&indices);
+            return Ok(Subscript { indices, label });
         }
         let open = self.position;
         let close = self.partner[open];
@@ -282,8 +285,7 @@ impl Parser<'_> {
         let label = if indices.is_empty() {
             writer::label(&self.lexemes[open + 1..close])
         } else {
-            let items: Vec<String> = indices.iter().map(writer::write_expr).collect();
-            items.join(",")
+            writer::index_label(&indices)
         };
         Ok(Subscript { indices, label })
     }
@@ -480,6 +482,38 @@ impl Parser<'_> {
             return Err(self.ambiguous(["a function of its argument", "a product"], span));
         }
         Ok(false)
+    }
+
+    /// Whether the bracket after `f^{-1}` holds the argument of `f`: a list, a name or a number,
+    /// perhaps negative, or something in the letter that `f` is a function of. Anything else is
+    /// a factor, as in `M^{-1}(K + N)`, if that letter is known.
+    fn arguments_after_exponent(&self, function: &Expr) -> Parse<bool> {
+        let open = self.position;
+        let close = self.partner[open];
+        let signed = usize::from(self.peek_at(1) == Some(&Token::Symbol('-')));
+        if self.holds_list(open, close) || self.holds_one_name(open + 1 + signed, close) {
+            return Ok(true);
+        }
+        let variables = match &function.kind {
+            ExprKind::Name(name) => self.signature.variables(name),
+            _ => None,
+        };
+        match variables {
+            Some(variables) if !variables.is_empty() => {
+                Ok(self.lexemes[open..close].iter().any(|lexeme| {
+                    let letter = match &lexeme.token {
+                        Token::Letter(c) => c.to_string(),
+                        Token::Command(command) => format!("\\{command}"),
+                        _ => return false,
+                    };
+                    variables.contains(&letter)
+                }))
+            }
+            _ => {
+                let readings = ["the argument of the function", "a factor after its power"];
+                Err(self.ambiguous(readings, self.lexemes[open].span))
+            }
+        }
     }
 
     /// Whether a comma or an equals sign stands in the bracket itself.
