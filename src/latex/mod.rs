@@ -14,7 +14,8 @@
 //! - A sign binds looser than a power: `-1^2` is -(1^2).
 //! - A name before a round bracket is a function if the [`Signature`] says so or if commas or an
 //!   equation stand in the bracket, a factor if it is declared as anything else or if the bracket
-//!   holds more than a name or a number, and ambiguous otherwise.
+//!   holds more than a name or a number. Undeclared, it is a function before the letter that
+//!   declared functions are functions of (`w(t)`), and ambiguous otherwise.
 //! - `^T` and `^t` transpose, unless the letter is declared and the base is a plain lower-case
 //!   letter or number.
 //! - Round trip: `parse(write(x))` is `x` up to brackets that `x` lacks and the page needs.

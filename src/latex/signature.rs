@@ -7,7 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The names a document declares, as far as the reading of an equation depends on them.
 ///
 /// `\zeta(t)` is an application if `\zeta` is a function, a product if it is declared as
-/// anything else, and an ambiguity if it is not declared. All names are compared by their
+/// anything else; if it is not declared, it is an application where some declared function is a
+/// function of `t`, and an ambiguity otherwise. All names are compared by their
 /// [`canonical`] form without dots: `\dot{\zeta}(t)` is an application too.
 #[derive(Clone, Debug)]
 pub struct Signature {
@@ -78,5 +79,10 @@ impl Signature {
     /// The bases of the letters that the name is a function of, as far as they are declared.
     pub(super) fn variables(&self, name: &Name) -> Option<&BTreeSet<String>> {
         self.functions.get(&canonical(&name.undotted()))
+    }
+
+    /// Whether some function is declared as a function of the letter.
+    pub(super) fn is_variable(&self, base: &str) -> bool {
+        self.functions.values().any(|bases| bases.contains(base))
     }
 }

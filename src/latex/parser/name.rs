@@ -478,10 +478,26 @@ impl Parser<'_> {
             return Ok(true);
         }
         if !self.signature.is_declared(printed) && self.holds_one_name(open + 1, close) {
+            if close == open + 2
+                && self
+                    .letter_at(open + 1)
+                    .is_some_and(|letter| self.signature.is_variable(&letter))
+            {
+                return Ok(true);
+            }
             let span = name.span.to(self.lexemes[close].span);
             return Err(self.ambiguous(["a function of its argument", "a product"], span));
         }
         Ok(false)
+    }
+
+    /// The plain letter at a position.
+    fn letter_at(&self, position: usize) -> Option<String> {
+        match &self.lexemes[position].token {
+            Token::Letter(c) => Some(c.to_string()),
+            Token::Command(command) => Some(format!("\\{command}")),
+            _ => None,
+        }
     }
 
     /// Whether the bracket after `f^{-1}` holds the argument of `f`: a list, a name or a number,
@@ -499,16 +515,9 @@ impl Parser<'_> {
             _ => None,
         };
         match variables {
-            Some(variables) if !variables.is_empty() => {
-                Ok(self.lexemes[open..close].iter().any(|lexeme| {
-                    let letter = match &lexeme.token {
-                        Token::Letter(c) => c.to_string(),
-                        Token::Command(command) => format!("\\{command}"),
-                        _ => return false,
-                    };
-                    variables.contains(&letter)
-                }))
-            }
+            Some(variables) if !variables.is_empty() => Ok((open..close)
+                .filter_map(|position| self.letter_at(position))
+                .any(|letter| variables.contains(&letter))),
             _ => {
                 let readings = ["the argument of the function", "a factor after its power"];
                 Err(self.ambiguous(readings, self.lexemes[open].span))
