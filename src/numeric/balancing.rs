@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 const SWEEPS: usize = 100;
 
 /// `(D^-1 A D, d)` for an `n x n` matrix with finite entries; `d` is the diagonal of `D`.
-pub fn balance(a: &DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>) {
+pub(crate) fn balance(a: &DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>) {
     let n = a.nrows();
     let mut balanced = a.clone();
     let mut d = DVector::from_element(n, 1.0);

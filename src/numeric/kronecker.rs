@@ -6,7 +6,7 @@
 //! matrices, whatever the equation looks like in print.
 
 use super::linear::solve;
-use super::{NumericError, Solution, cost, order_of_lyapunov, symmetrised};
+use super::{NumericError, Solution, cost, order_of_lyapunov, power_of_two_below, symmetrised};
 use nalgebra::DMatrix;
 
 /// The symmetric solution `X` of `A X + X A^T + Q = 0`; all matrices `n x n`, `Q` symmetric.
@@ -25,12 +25,19 @@ pub fn lyapunov(a: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Solution, NumericE
     })
 }
 
+/// How far above the constant part of a map its basis matrices lie.
+const ABOVE: f64 = (1u128 << 100) as f64;
+
 /// The zeros of a map that is affine in the unknown matrices.
 ///
 /// `shapes` are the shapes of the unknowns; `map` gives the left-hand sides (each minus its
 /// right-hand side) of the equations, of any shapes, as many scalars in all as there are
-/// unknown scalars. With `N` scalars: `N + 2` evaluations and `2/3 N^3` operations. The map is
-/// checked for linearity at one further point ([`NumericError::NotLinear`]).
+/// unknown scalars. With `N` scalars: `N + 3` evaluations and `2/3 N^3` operations. The map is
+/// checked for linearity at two further points ([`NumericError::NotLinear`]).
+///
+/// The columns of the system are differences `f(t E_k) - f(0)`. With `t = 1` they would lose the
+/// digits in which `f(0)` is larger; `t` is a power of two so large that `f(0)` is lost instead,
+/// which is known anyway.
 pub fn solve_affine<E: From<NumericError>>(
     shapes: &[(usize, usize)],
     mut map: impl FnMut(&[DMatrix<f64>]) -> Result<Vec<DMatrix<f64>>, E>,
@@ -47,63 +54,67 @@ pub fn solve_affine<E: From<NumericError>>(
         }
         .into());
     }
+    let largest = constant.iter().fold(0.0f64, |max, c| max.max(c.abs()));
+    if constant.iter().any(|c| !c.is_finite()) {
+        return Err(NumericError::NotFinite.into());
+    }
+    let t = if largest > 0.0 {
+        power_of_two_below(largest) * ABOVE
+    } else {
+        1.0
+    };
     let mut system = DMatrix::zeros(unknowns, unknowns);
     let mut basis = vec![0.0; unknowns];
     for j in 0..unknowns {
-        basis[j] = 1.0;
+        basis[j] = t;
         let value = at(&basis)?;
         basis[j] = 0.0;
         if value.len() != equations {
             return Err(NumericError::NotLinear.into());
         }
         for (i, (v, c)) in value.iter().zip(&constant).enumerate() {
-            system[(i, j)] = v - c;
+            system[(i, j)] = (v - c) / t;
         }
     }
-    require_linear(&system, &constant, &mut at)?;
+    for scale in [1.0, t] {
+        require_linear(&system, &constant, scale, &mut at)?;
+    }
     let rhs = -DMatrix::from_column_slice(unknowns, 1, &constant);
     let x = solve(&system, &rhs)?;
     Ok(unstack(x.as_slice(), shapes))
 }
 
-/// Compares the map with its linear model at a point without symmetry.
+/// Compares the map with its linear model at a point of this size without symmetry.
 fn require_linear<E: From<NumericError>>(
     system: &DMatrix<f64>,
     constant: &[f64],
+    scale: f64,
     at: &mut impl FnMut(&[f64]) -> Result<Vec<f64>, E>,
 ) -> Result<(), E> {
     let n = constant.len();
-    // Multiples of 1/8 in 1..3 with alternating signs: products of neighbours do not cancel.
+    // Multiples of 1/8 between 1 and 3, some negative: neither they nor their products cancel.
     let point: Vec<f64> = (0..n)
         .map(|k| {
-            let size = 1.0 + ((5 * k + 3) % 16) as f64 / 8.0;
+            let size = scale * (1.0 + ((5 * k + 3) % 16) as f64 / 8.0);
             if k % 3 == 1 { -size } else { size }
         })
         .collect();
     let value = at(&point)?;
-    if value.len() != n {
-        return Err(NumericError::NotLinear.into());
-    }
-    for i in 0..n {
-        let mut model = constant[i];
-        let mut size = constant[i].abs() + value[i].abs();
-        for (j, x) in point.iter().enumerate() {
-            model += system[(i, j)] * x;
-            // A difference v - c cost up to eps |c|, once for each column.
-            size += (system[(i, j)] * x).abs() + constant[i].abs() * x.abs();
-        }
-        let close = (value[i] - model).abs() <= 64.0 * f64::EPSILON * size;
-        if !close {
-            let finite = value[i].is_finite() && model.is_finite();
-            return Err(if finite {
-                NumericError::NotLinear
-            } else {
-                NumericError::NotFinite
+    let close = value.len() == n
+        && (0..n).all(|i| {
+            let mut model = constant[i];
+            let mut size = constant[i].abs() + value[i].abs();
+            for (j, x) in point.iter().enumerate() {
+                model += system[(i, j)] * x;
+                size += (system[(i, j)] * x).abs();
             }
-            .into());
-        }
+            (value[i] - model).abs() <= 1e-9 * size
+        });
+    if close {
+        Ok(())
+    } else {
+        Err(NumericError::NotLinear.into())
     }
-    Ok(())
 }
 
 fn stack(matrices: &[DMatrix<f64>]) -> Vec<f64> {
@@ -174,6 +185,28 @@ mod tests {
         };
         assert_eq!(
             solve_affine::<NumericError>(&[(2, 1)], bilinear),
+            Err(NumericError::NotLinear)
+        );
+    }
+
+    #[test]
+    fn a_large_constant_does_not_swallow_a_small_coefficient() {
+        // 3e-9 x + 1e12 = 0: with the basis at 1 the coefficient would come out as 0.
+        let x = solve_affine::<NumericError>(&[(1, 1)], |x| {
+            Ok(vec![DMatrix::from_element(1, 1, 3e-9 * x[0][0] + 1e12)])
+        })
+        .unwrap();
+        assert_relative_eq!(x[0][0], -1e21 / 3.0, max_relative = 1e-15);
+    }
+
+    #[test]
+    fn a_small_quadratic_term_beside_a_large_constant_is_seen() {
+        let quadratic = |x: &[DMatrix<f64>]| {
+            let x = x[0][0];
+            Ok(vec![DMatrix::from_element(1, 1, 1e-6 * x * x + x + 1e12)])
+        };
+        assert_eq!(
+            solve_affine::<NumericError>(&[(1, 1)], quadratic),
             Err(NumericError::NotLinear)
         );
     }

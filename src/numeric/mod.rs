@@ -24,21 +24,25 @@
 use nalgebra::DMatrix;
 
 pub mod agreement;
-pub mod balancing;
+mod balancing;
 pub mod bartels_stewart;
 pub mod characteristic;
 pub mod cost;
 pub mod discretisation;
+pub mod evaluate;
 pub mod hurwitz;
 pub mod kreisselmeier;
 pub mod kronecker;
 pub mod linear;
 pub mod quadrature;
+pub mod resolver;
 pub mod sample;
 pub mod simulation;
 pub mod smith;
 pub mod spectral;
 pub mod spectrum;
+mod unknowns;
+pub mod value;
 
 /// Why a floating-point method gives no result.
 #[derive(Clone, Debug, PartialEq)]

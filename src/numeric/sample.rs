@@ -84,6 +84,32 @@ impl Sampler {
         }
     }
 
+    /// A uniform coordinate of the closed range `low <= x <= high`, which may hold zero or negative
+    /// numbers: a multiple of a power of two, with 24 bits where the range is wide enough.
+    pub fn uniform(&mut self, low: f64, high: f64) -> Result<f64, NumericError> {
+        let largest = low.abs().max(high.abs());
+        if !(low <= high && largest.is_finite()) {
+            return Err(NumericError::Range);
+        }
+        if low == high || !largest.is_normal() {
+            return Ok(low);
+        }
+        // Multiples of the grid are counted by integers of at most 53 bits, so all is exact.
+        for bits in [BITS, 52] {
+            let step = exponent(largest) - i64::from(bits);
+            if step < -1022 {
+                return Ok(low);
+            }
+            let grid = power_of_two(step);
+            let (first, last) = ((low / grid).ceil() as i64, (high / grid).floor() as i64);
+            if last - first >= 1 << 12 || bits == 52 && last >= first {
+                let k = first + self.below((last - first + 1) as u64) as i64;
+                return Ok(k as f64 * grid);
+            }
+        }
+        Ok(low)
+    }
+
     /// A uniform coordinate of a range so narrow that log-uniform is the same, or its one value.
     fn narrow(&mut self, range: Range) -> f64 {
         let (low, high) = (range.low.to_bits(), range.high.to_bits());
@@ -163,6 +189,22 @@ mod tests {
     }
 
     #[test]
+    fn uniform_points_fill_their_range_evenly() {
+        let mut sampler = Sampler::new(3);
+        let n = 10_000;
+        let mut below = 0;
+        for _ in 0..n {
+            let x = sampler.uniform(-1.0, 3.0).unwrap();
+            below += i32::from(x < 0.0);
+        }
+        assert!((f64::from(below) - 2500.0).abs() < 5.0 * (f64::from(n) * 0.25 * 0.75).sqrt());
+        assert_eq!(sampler.uniform(0.0, 0.0), Ok(0.0));
+        for (low, high) in [(1.0, 0.0), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
+            assert_eq!(sampler.uniform(low, high), Err(NumericError::Range));
+        }
+    }
+
+    #[test]
     fn ranges_without_meaning() {
         for (low, high) in [
             (0.0, 1.0),
@@ -185,6 +227,15 @@ mod tests {
             if ratio > 1.01 {
                 prop_assert_eq!(x.to_bits() & ((1 << (52 - BITS)) - 1), 0);
             }
+        }
+
+        #[test]
+        fn uniform_points_lie_in_their_range(seed: u64, x in -1e9f64..1e9, y in -1e9f64..1e9) {
+            let (low, high) = (x.min(y), x.max(y));
+            let point = Sampler::new(seed).uniform(low, high).unwrap();
+            prop_assert!(low <= point && point <= high);
+            let close = Sampler::new(seed).uniform(low, low + low.abs() * 1e-15).unwrap();
+            prop_assert!(low <= close && close <= low + low.abs() * 1e-15);
         }
 
         #[test]

@@ -11,7 +11,7 @@
 use super::hurwitz::Variance;
 use super::quadrature::{Limits, Quadrature, integrate_half_axis};
 use super::spectrum::eigenvalues;
-use super::{NumericError, cost, order_of_lyapunov};
+use super::{NumericError, cost, order_of_lyapunov, square};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// The two-sided density `S(omega)`: one complex LU, `8/3 n^3` operations in real numbers.
@@ -21,7 +21,7 @@ pub fn density(
     c: &DVector<f64>,
     omega: f64,
 ) -> Result<f64, NumericError> {
-    let n = a.nrows();
+    let n = shapes(a, q, c)?;
     // y = F^T c, so that c^T F = y^T.
     let system = DMatrix::from_fn(n, n, |i, j| {
         let imaginary = if i == j { omega } else { 0.0 };
@@ -33,6 +33,17 @@ pub fn density(
         .ok_or(NumericError::Unstable)?;
     let (re, im) = (y.map(|v| v.re), y.map(|v| v.im));
     Ok((re.dot(&(q * &re)) + im.dot(&(q * &im))) / (2.0 * std::f64::consts::PI))
+}
+
+/// The order of the system, where the shapes fit.
+fn shapes(a: &DMatrix<f64>, q: &DMatrix<f64>, c: &DVector<f64>) -> Result<usize, NumericError> {
+    let n = square(a)?;
+    for (expected, found) in [((n, n), q.shape()), ((n, 1), c.shape())] {
+        if expected != found {
+            return Err(NumericError::Shape { expected, found });
+        }
+    }
+    Ok(n)
 }
 
 /// The stationary variance of `c^T x` by adaptive quadrature of [`density`]; `A` and `Q` are `n x n`,
@@ -48,12 +59,7 @@ pub fn variance(
     limits: Limits,
 ) -> Result<(Variance, Quadrature), NumericError> {
     let n = order_of_lyapunov(a, q)?;
-    if c.len() != n {
-        return Err(NumericError::Shape {
-            expected: (n, 1),
-            found: (c.len(), 1),
-        });
-    }
+    shapes(a, q, c)?;
     let spectrum = eigenvalues(a)?;
     if spectrum.iter().any(|l| l.re.is_nan() || l.re >= 0.0) {
         return Err(NumericError::Unstable);
@@ -110,6 +116,22 @@ mod tests {
         let (variance, quadrature) = variance(&a, &q, &c, Limits::default()).unwrap();
         assert_relative_eq!(variance.value, 0.75, max_relative = 1e-13);
         assert!(quadrature.evaluations >= 15 && variance.operations > 0);
+    }
+
+    #[test]
+    fn shapes_must_fit() {
+        let (two, three) = (DMatrix::identity(2, 2), DVector::zeros(3));
+        let wide = DMatrix::zeros(2, 3);
+        for (a, q, c) in [
+            (&wide, &two, &DVector::zeros(2)),
+            (&two, &wide, &DVector::zeros(2)),
+            (&two, &two, &three),
+        ] {
+            assert!(matches!(
+                density(a, q, c, 1.0),
+                Err(NumericError::Shape { .. })
+            ));
+        }
     }
 
     #[test]

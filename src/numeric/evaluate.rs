@@ -1,0 +1,500 @@
+//! Expressions to floating-point values.
+//!
+//! The same printed expressions as the exact route, by the standard floating-point methods:
+//! determinants, minors and cofactors by LU, characteristic coefficients by the
+//! Faddeev-LeVerrier recursion, inverses by LU, unknowns of linear equations as in
+//! [`super::unknowns`]. Values of names are computed once. Invariants: a value is finite or a
+//! [`Failure`]; no definition is entered twice at a time; nothing is computed exactly.
+
+use super::characteristic::faddeev_leverrier;
+use super::hurwitz::hurwitz_matrix;
+use super::linear::determinant;
+use super::resolver::{Element, Meaning, Reference, Resolver};
+use super::value::{Failure, FailureKind, Value};
+use super::{LyapunovMethod, NumericError};
+use crate::expr::{Expr, ExprKind, Function, Name, Sign};
+use crate::span::Span;
+use nalgebra::DMatrix;
+use num_traits::ToPrimitive;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The largest exponent that is evaluated.
+const LARGEST_EXPONENT: i64 = 1000;
+/// The largest number of terms of a sum with a running index.
+const LARGEST_RANGE: i64 = 10_000;
+
+/// The deepest nesting of expressions, through definitions too: each level takes stack.
+const DEEPEST: usize = 256;
+
+/// What names a value: a node and its indices.
+type Key<N> = (N, Vec<i64>);
+
+/// Evaluates the expressions of a document at the point that its resolver stands for.
+pub struct Evaluator<'r, R: Resolver> {
+    pub(super) resolver: &'r R,
+    pub(super) method: LyapunovMethod,
+    known: BTreeMap<Key<R::Node>, Value>,
+    open: BTreeSet<Key<R::Node>>,
+    pub(super) bound: Vec<(String, i64)>,
+    depth: usize,
+    /// The systems that are being solved.
+    pub(super) solving: BTreeSet<usize>,
+    /// Trial values of the unknowns of the innermost of them.
+    pub(super) trial: BTreeMap<(usize, usize), Value>,
+    /// Whether a trial value was used since this was last cleared.
+    pub(super) touched: bool,
+    /// Solutions with the methods that gave them.
+    pub(super) solved: BTreeMap<usize, (LyapunovMethod, Vec<Value>)>,
+}
+
+impl<'r, R: Resolver> Evaluator<'r, R> {
+    /// An evaluator that solves Lyapunov equations by `method`, and every other linear equation
+    /// by the Kronecker route.
+    pub fn new(resolver: &'r R, method: LyapunovMethod) -> Self {
+        Evaluator {
+            resolver,
+            method,
+            known: BTreeMap::new(),
+            open: BTreeSet::new(),
+            bound: Vec::new(),
+            depth: 0,
+            solving: BTreeSet::new(),
+            trial: BTreeMap::new(),
+            touched: false,
+            solved: BTreeMap::new(),
+        }
+    }
+
+    /// The value of an expression: finite, or a failure with its place.
+    pub fn value(&mut self, expr: &Expr) -> Result<Value, Failure> {
+        let value = self.expression(expr)?;
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err(Failure::new(
+                FailureKind::Numeric(NumericError::NotFinite),
+                expr.span,
+            ))
+        }
+    }
+
+    /// The method that solved a system: the one asked for, or [`LyapunovMethod::Kronecker`] where
+    /// the system is no Lyapunov equation. None before it was needed.
+    pub fn solved_by(&self, system: usize) -> Option<LyapunovMethod> {
+        self.solved.get(&system).map(|(method, _)| *method)
+    }
+
+    /// Runs `body` with an index bound to a value.
+    pub fn with_bound<T>(
+        &mut self,
+        index: &Name,
+        value: i64,
+        body: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        self.bound.push((self.resolver.canonical(index), value));
+        let result = body(self);
+        self.bound.pop();
+        result
+    }
+
+    pub(super) fn expression(&mut self, expr: &Expr) -> Result<Value, Failure> {
+        if self.depth >= DEEPEST {
+            return Err(Failure::new(FailureKind::Budget, expr.span));
+        }
+        self.depth += 1;
+        let value = self.nested_expression(expr);
+        self.depth -= 1;
+        value
+    }
+
+    fn nested_expression(&mut self, expr: &Expr) -> Result<Value, Failure> {
+        let span = expr.span;
+        match &expr.kind {
+            ExprKind::Number(number) => Ok(Value::Scalar(number.to_f64().unwrap_or(f64::NAN))),
+            ExprKind::Name(name) => self.name(name, span),
+            ExprKind::Apply {
+                function,
+                arguments,
+            } if self.resolver.is_plain_application(function, arguments) => {
+                self.name(function, span)
+            }
+            ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } => {
+                self.expression(inner)
+            }
+            ExprKind::Sum(terms) => self.sum(terms),
+            ExprKind::Product(factors) => self.product(factors, span),
+            ExprKind::Quotient {
+                numerator,
+                denominator,
+                ..
+            } => self.quotient(numerator, denominator),
+            ExprKind::Power { base, exponent } => self.power(base, exponent, span),
+            ExprKind::Transpose(inner) => Ok(self.expression(inner)?.transposed()),
+            ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
+            ExprKind::Call { function, argument } => self.call(*function, argument, span),
+            ExprKind::BigSum {
+                index,
+                from,
+                to,
+                body,
+            } => self.big_sum(index, [from, to], body, span),
+            other => Err(Failure::unsupported(unsupported(other), span)),
+        }
+    }
+
+    fn sum(&mut self, terms: &[(Sign, Expr)]) -> Result<Value, Failure> {
+        let mut sum = Value::Zero;
+        for (sign, term) in terms {
+            let value = self.expression(term)?;
+            let signed = match sign {
+                Sign::Plus => value,
+                Sign::Minus => value.negated(),
+            };
+            sum = sum.add(signed, term.span)?;
+        }
+        Ok(sum)
+    }
+
+    fn quotient(&mut self, numerator: &Expr, denominator: &Expr) -> Result<Value, Failure> {
+        let top = self.expression(numerator)?;
+        let bottom = self.expression(denominator)?;
+        top.divide(bottom, denominator.span)
+    }
+
+    fn matrix(&mut self, rows: &[Vec<Expr>], span: Span) -> Result<Value, Failure> {
+        let mut blocks = Vec::with_capacity(rows.len());
+        for row in rows {
+            let mut values = Vec::with_capacity(row.len());
+            for entry in row {
+                values.push((self.expression(entry)?, entry.span));
+            }
+            blocks.push(values);
+        }
+        Value::from_blocks(&blocks, span)
+    }
+
+    fn big_sum(
+        &mut self,
+        index: &Name,
+        [from, to]: [&Expr; 2],
+        body: &Expr,
+        span: Span,
+    ) -> Result<Value, Failure> {
+        let (from, to) = (self.integer(from)?, self.integer(to)?);
+        if to.saturating_sub(from) >= LARGEST_RANGE {
+            return Err(Failure::new(FailureKind::Budget, span));
+        }
+        if from > to {
+            return Ok(Value::Scalar(0.0));
+        }
+        let mut sum = Value::Zero;
+        for k in from..=to {
+            let term = self.with_bound(index, k, |e| e.expression(body))?;
+            sum = sum.add(term, body.span)?;
+        }
+        Ok(sum)
+    }
+
+    pub(super) fn product(&mut self, factors: &[Expr], span: Span) -> Result<Value, Failure> {
+        let mut product: Option<Value> = None;
+        for factor in factors {
+            let value = self.expression(factor)?;
+            product = Some(match product {
+                None => value,
+                Some(product) => product.multiply(value, factor.span)?,
+            });
+        }
+        product.ok_or_else(|| Failure::unsupported("an empty product", span))
+    }
+
+    fn power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Result<Value, Failure> {
+        let Ok(n) = self.integer(exponent) else {
+            let base = self.expression(base)?;
+            return match (base, self.expression(exponent)?) {
+                (Value::Scalar(base), Value::Scalar(exponent)) => {
+                    Ok(Value::Scalar(libm::pow(base, exponent)))
+                }
+                (base, exponent) => Err(Failure::shape("power", &base, &exponent, span)),
+            };
+        };
+        let magnitude = u32::try_from(n.unsigned_abs()).unwrap_or(u32::MAX);
+        let small = i32::try_from(n)
+            .ok()
+            .filter(|_| i64::from(magnitude) <= LARGEST_EXPONENT)
+            .ok_or_else(|| Failure::new(FailureKind::Exponent, exponent.span))?;
+        if let (ExprKind::Name(name), true) = (&base.kind, n > 0)
+            && let Some((node, rest)) = self.resolver.power(name, magnitude)
+        {
+            let rest = i32::try_from(rest).unwrap_or(small);
+            return self.node((node, Vec::new()), span)?.power(rest, span);
+        }
+        self.expression(base)?.power(small, span)
+    }
+
+    fn call(&mut self, function: Function, argument: &Expr, span: Span) -> Result<Value, Failure> {
+        let value = self.expression(argument)?;
+        if matches!(function, Function::Determinant | Function::Trace) {
+            let matrix = square(value, span)?;
+            return match function {
+                Function::Trace => Ok(matrix.trace()),
+                _ => determinant(&matrix).map_err(|e| Failure::numeric(e, span)),
+            }
+            .map(Value::Scalar);
+        }
+        let x = match value {
+            Value::Scalar(x) => x,
+            Value::Zero => 0.0,
+            other => {
+                return Err(Failure::shape(
+                    "function",
+                    &other,
+                    &Value::Scalar(0.0),
+                    span,
+                ));
+            }
+        };
+        Ok(Value::Scalar(match function {
+            Function::RealPart => x,
+            Function::ImaginaryPart => 0.0,
+            Function::Cosine => libm::cos(x),
+            Function::Sine => libm::sin(x),
+            Function::Exponential => libm::exp(x),
+            Function::Logarithm => libm::log(x),
+            Function::SquareRoot => x.sqrt(),
+            _ => x.abs(),
+        }))
+    }
+
+    fn name(&mut self, name: &Name, span: Span) -> Result<Value, Failure> {
+        let reference = {
+            let bound = &self.bound;
+            let is_bound = |index: &str| bound.iter().any(|(b, _)| b == index);
+            self.resolver.resolve(name, &is_bound)
+        };
+        match reference {
+            Reference::Bound(index) => self
+                .bound_value(&index)
+                .map(|v| Value::Scalar(v as f64))
+                .ok_or_else(|| Failure::new(FailureKind::Undeclared { name: index }, span)),
+            Reference::Node(node) => {
+                let mut value = self.node((node, Vec::new()), span);
+                if let Err(failure) = &mut value {
+                    self.put_in_name(failure, name);
+                }
+                value
+            }
+            Reference::Indexed { family, indices } => self.indexed(&family, &indices, span),
+            Reference::Undeclared => {
+                let name = self.resolver.canonical(name);
+                Err(Failure::new(FailureKind::Undeclared { name }, span))
+            }
+            Reference::WithoutValue => {
+                let name = self.resolver.canonical(name);
+                Err(Failure::new(FailureKind::WithoutValue { name }, span))
+            }
+        }
+    }
+
+    /// A letter's own name is known only where it was printed.
+    fn put_in_name(&self, failure: &mut Failure, printed: &Name) {
+        if let FailureKind::WithoutValue { name } = &mut failure.kind
+            && name.is_empty()
+        {
+            *name = self.resolver.canonical(printed);
+        }
+    }
+
+    fn indexed(&mut self, family: &str, indices: &[&Expr], span: Span) -> Result<Value, Failure> {
+        let mut values = Vec::with_capacity(indices.len());
+        for index in indices {
+            values.push(self.integer(index)?);
+        }
+        match self.resolver.element(family, &values) {
+            Some(Element::Member(node, indices)) => self.node((node, indices), span),
+            Some(Element::Entry(node, indices)) => {
+                let matrix = self.node((node, Vec::new()), span)?;
+                entry(matrix, &indices, span)
+            }
+            None => Err(outside(&values, span)),
+        }
+    }
+
+    fn bound_value(&self, index: &str) -> Option<i64> {
+        self.bound
+            .iter()
+            .rev()
+            .find(|(name, _)| name == index)
+            .map(|(_, value)| *value)
+    }
+
+    /// The value of a node, computed once; nothing that used a trial value is kept.
+    fn node(&mut self, key: Key<R::Node>, span: Span) -> Result<Value, Failure> {
+        if let Some(value) = self.known.get(&key) {
+            return Ok(value.clone());
+        }
+        let (node, indices) = &key;
+        let meaning = self
+            .resolver
+            .meaning(*node, indices)
+            .ok_or_else(|| outside(indices, span))?;
+        if let Meaning::Unknown { system, position } = meaning {
+            return self.unknown(system, position, span);
+        }
+        if !self.open.insert(key.clone()) {
+            return Err(Failure::new(FailureKind::Cyclic, span));
+        }
+        let outer = std::mem::take(&mut self.bound);
+        let before = std::mem::replace(&mut self.touched, false);
+        let result = self.compute(meaning, &key.1, span);
+        let touched = self.touched;
+        self.touched = before || touched;
+        self.bound = outer;
+        self.open.remove(&key);
+        let value = result?;
+        if !touched {
+            self.known.insert(key, value.clone());
+        }
+        Ok(value)
+    }
+
+    fn compute(
+        &mut self,
+        meaning: Meaning<'r>,
+        indices: &[i64],
+        span: Span,
+    ) -> Result<Value, Failure> {
+        match meaning {
+            Meaning::Expression { expr, bound } => {
+                self.bound = bound;
+                self.expression(expr)
+            }
+            Meaning::Entry(of) => {
+                let matrix = self.expression(of)?;
+                entry(matrix, indices, span)
+            }
+            Meaning::CharacteristicCoefficient(of)
+            | Meaning::HurwitzMatrix(of)
+            | Meaning::Cofactor(of)
+            | Meaning::LeadingMinor(of) => {
+                let target = self.expression(of)?;
+                notation(&meaning, target, indices, span)
+            }
+            Meaning::Unknown { system, position } => self.unknown(system, position, span),
+            Meaning::Number(Some(number)) => Ok(Value::Scalar(number)),
+            Meaning::Number(None) => {
+                let name = String::new();
+                Err(Failure::new(FailureKind::WithoutValue { name }, span))
+            }
+            Meaning::Identity(n) => Ok(Value::from_matrix(DMatrix::identity(n, n))),
+            Meaning::Zero => Ok(Value::Zero),
+        }
+    }
+
+    /// The integer that an index or exponent evaluates to.
+    fn integer(&mut self, expr: &Expr) -> Result<i64, Failure> {
+        let fail = || Failure::new(FailureKind::Exponent, expr.span);
+        match &expr.kind {
+            ExprKind::Number(n) if n.is_integer() => n.to_integer().to_i64().ok_or_else(fail),
+            ExprKind::Name(name) => {
+                let index = self.resolver.canonical(name);
+                self.bound_value(&index).ok_or_else(fail)
+            }
+            ExprKind::Group { inner, .. } => self.integer(inner),
+            ExprKind::Sum(terms) => terms.iter().try_fold(0i64, |sum, (sign, term)| {
+                let value = self.integer(term)?;
+                match sign {
+                    Sign::Plus => sum.checked_add(value),
+                    Sign::Minus => sum.checked_sub(value),
+                }
+                .ok_or_else(fail)
+            }),
+            ExprKind::Product(factors) => factors.iter().try_fold(1i64, |product, factor| {
+                product.checked_mul(self.integer(factor)?).ok_or_else(fail)
+            }),
+            _ => Err(fail()),
+        }
+    }
+}
+
+/// What a notation says of a square matrix.
+fn notation(
+    meaning: &Meaning<'_>,
+    target: Value,
+    indices: &[i64],
+    span: Span,
+) -> Result<Value, Failure> {
+    let matrix = square(target, span)?;
+    let n = matrix.nrows();
+    let index = |k: usize| indices.get(k).and_then(|i| usize::try_from(*i).ok());
+    let inside = |k: usize| index(k).filter(|i| (1..=n).contains(i));
+    let outside = || outside(indices, span);
+    let fail = |error| Failure::numeric(error, span);
+    Ok(match meaning {
+        Meaning::CharacteristicCoefficient(_) => {
+            let k = index(0).ok_or_else(outside)?;
+            let coefficients = faddeev_leverrier(&matrix).map_err(fail)?.coefficients;
+            // Beyond the degree a polynomial's coefficients are zero.
+            Value::Scalar(coefficients.get(k).copied().unwrap_or(0.0))
+        }
+        Meaning::HurwitzMatrix(_) => {
+            let coefficients = faddeev_leverrier(&matrix).map_err(fail)?.coefficients;
+            Value::from_matrix(hurwitz_matrix(&coefficients))
+        }
+        Meaning::Cofactor(_) => {
+            let (i, j) = inside(0).zip(inside(1)).ok_or_else(outside)?;
+            let minor = matrix.remove_row(i - 1).remove_column(j - 1);
+            let value = determinant(&minor).map_err(fail)?;
+            Value::Scalar(if (i + j) % 2 == 0 { value } else { -value })
+        }
+        _ => {
+            let k = inside(0).ok_or_else(outside)?;
+            let leading = matrix.view((0, 0), (k, k)).into_owned();
+            Value::Scalar(determinant(&leading).map_err(fail)?)
+        }
+    })
+}
+
+/// What an expression is that has no floating-point value here.
+fn unsupported(kind: &ExprKind) -> &'static str {
+    match kind {
+        ExprKind::Apply { .. } => "a function at another argument",
+        ExprKind::Tuple(_) => "a tuple",
+        ExprKind::Named { .. } => "a named argument",
+        ExprKind::Integral { .. } => "an integral",
+        ExprKind::Derivative { .. } => "a derivative",
+        ExprKind::Expectation(_) => "an expectation",
+        ExprKind::Cases(_) => "a definition by cases",
+        ExprKind::Infinity => "infinity",
+        _ => "an unnamed constant",
+    }
+}
+
+fn outside(indices: &[i64], span: Span) -> Failure {
+    let indices = indices.to_vec();
+    Failure::new(FailureKind::Outside { indices }, span)
+}
+
+fn square(value: Value, span: Span) -> Result<DMatrix<f64>, Failure> {
+    match value {
+        Value::Scalar(s) => Ok(DMatrix::from_element(1, 1, s)),
+        Value::Matrix(m) if m.is_square() => Ok(m),
+        other => Err(Failure::shape("determinant", &other, &other, span)),
+    }
+}
+
+/// The entry with these indices, from 1; a vector may have one index.
+fn entry(value: Value, indices: &[i64], span: Span) -> Result<Value, Failure> {
+    let at = |k: i64| usize::try_from(k).ok()?.checked_sub(1);
+    let (rows, columns) = value.shape().unwrap_or((0, 0));
+    let place = match indices {
+        [i, j] => at(*i).zip(at(*j)),
+        [i] if columns == 1 => at(*i).map(|i| (i, 0)),
+        [j] if rows == 1 => at(*j).map(|j| (0, j)),
+        _ => None,
+    };
+    match (value, place) {
+        (Value::Matrix(m), Some((i, j))) if i < rows && j < columns => Ok(Value::Scalar(m[(i, j)])),
+        (Value::Scalar(s), Some((0, 0))) => Ok(Value::Scalar(s)),
+        _ => Err(outside(indices, span)),
+    }
+}
