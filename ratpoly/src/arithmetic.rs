@@ -1,92 +1,108 @@
-//! Addition, multiplication and powers of polynomials.
+//! The operators of polynomials: sums, products, powers, and their forms with typed errors and budgets.
 
 use crate::budget::Budget;
+use crate::coefficient::Scalar;
 use crate::error::Error;
-use crate::monomial::Monomial;
-use crate::polynomial::Polynomial;
+use crate::multiply::{Failure, multiply};
+use crate::polynomial::{Polynomial, layout_of};
+use crate::ring::Ring;
+use crate::terms::{each_layout, same_layout};
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 impl Polynomial {
     /// The sum, or [`Error::RingMismatch`].
     pub fn try_add(&self, other: &Polynomial) -> Result<Polynomial, Error> {
-        let ring = self.ring();
-        if ring != other.ring() {
-            return Err(Error::RingMismatch);
-        }
-        let list = self
-            .raw_terms()
-            .iter()
-            .chain(other.raw_terms())
-            .cloned()
-            .collect();
-        Ok(Polynomial::collect(ring, list))
+        self.check_ring(other)?;
+        Ok(
+            same_layout!(self.ring, &self.terms, &other.terms, a, b => self.with(a.merge::<false>(b))),
+        )
     }
 
     /// The difference, or [`Error::RingMismatch`].
     pub fn try_sub(&self, other: &Polynomial) -> Result<Polynomial, Error> {
-        self.try_add(&-other)
+        self.check_ring(other)?;
+        Ok(
+            same_layout!(self.ring, &self.terms, &other.terms, a, b => self.with(a.merge::<true>(b))),
+        )
     }
 
     /// The product, or [`Error::RingMismatch`] or [`Error::ExponentOverflow`].
     pub fn try_mul(&self, other: &Polynomial) -> Result<Polynomial, Error> {
-        self.mul_within(other, &Budget::unlimited())
+        self.mul_within(other, &UNLIMITED)
     }
 
     /// The power, or [`Error::ExponentOverflow`]. The zeroth power is 1, also of 0.
     pub fn try_pow(&self, exponent: u32) -> Result<Polynomial, Error> {
-        self.pow_within(exponent, &Budget::unlimited())
+        self.pow_within(exponent, &UNLIMITED)
     }
 
     /// The product within a budget.
     pub fn mul_within(&self, other: &Polynomial, budget: &Budget) -> Result<Polynomial, Error> {
-        let ring = self.ring();
-        if ring != other.ring() {
-            return Err(Error::RingMismatch);
+        self.check_ring(other)?;
+        let ring = self.ring;
+        let product = same_layout!(ring, &self.terms, &other.terms, a, b => {
+            multiply(a, b, layout_of(a, ring), budget).map(|list| self.with(list))
+        });
+        match product {
+            Ok(product) => Ok(product),
+            Err(Failure::Error(error)) => Err(error),
+            Err(Failure::Layout) => self.mul_wider(other, budget),
         }
-        let mut list = Vec::new();
-        for (m, c) in self.raw_terms() {
-            budget.spend(other.len() as u64)?;
-            for (n, d) in other.raw_terms() {
-                list.push((m.checked_mul(n).ok_or(Error::ExponentOverflow)?, c * d));
+    }
+
+    /// The product, whose exponents do not fit the operands' layout.
+    #[cold]
+    fn mul_wider(&self, other: &Polynomial, budget: &Budget) -> Result<Polynomial, Error> {
+        let ring = self.ring;
+        let narrow = self.terms.kind().max(other.terms.kind());
+        for kind in narrow + 1..crate::layout::KINDS {
+            if ring.layout(kind).is_none() {
+                continue;
             }
-            if list.len() > 1 << 20 {
-                let partial = Polynomial::collect(ring, list);
-                budget.check_terms(partial.len())?;
-                list = partial.raw_terms().to_vec();
+            let (a, b) = (
+                self.terms.in_kind(ring, kind),
+                other.terms.in_kind(ring, kind),
+            );
+            let product = same_layout!(ring, &a, &b, a, b => {
+                multiply(a, b, layout_of(a, ring), budget).map(|list| self.with(list))
+            });
+            match product {
+                Ok(product) => return Ok(product),
+                Err(Failure::Error(error)) => return Err(error),
+                Err(Failure::Layout) => {}
             }
         }
-        let product = Polynomial::collect(ring, list);
-        budget.check_terms(product.len())?;
-        budget.check_bits(product.coefficient_bits())?;
-        Ok(product)
+        Err(Error::ExponentOverflow)
     }
 
     /// The power within a budget.
     pub fn pow_within(&self, exponent: u32, budget: &Budget) -> Result<Polynomial, Error> {
-        if let [(m, c)] = self.raw_terms() {
-            let power = m
+        if exponent == 0 || self.is_one() {
+            return Ok(Polynomial::one(self.ring));
+        }
+        if self.len() == 1 {
+            let (monomial, c) = self.leading_term().expect("one term");
+            let power = monomial
                 .iter()
                 .map(|&e| e.checked_mul(exponent))
                 .collect::<Option<Vec<_>>>();
-            budget.check_bits((c.bits() - 1).saturating_mul(u64::from(exponent)))?;
+            // c^k has more than (bits(c) - 1) k bits.
             let power = power.ok_or(Error::ExponentOverflow)?;
-            let term = (
-                Monomial::new(power),
-                num_traits::pow(c.clone(), exponent as usize),
-            );
-            return Ok(Polynomial::collect(self.ring(), vec![term]));
+            budget.check_bits((c.bits() - 1).saturating_mul(u64::from(exponent)))?;
+            budget.spend(c.bits().saturating_mul(u64::from(exponent)) / 64)?;
+            let c = c.pow(exponent);
+            return Ok(Polynomial::from_term(self.ring, &power, c.into()));
         }
-        let mut result = Polynomial::one(self.ring());
-        // For sparse polynomials repeated multiplication beats repeated squaring.
-        for _ in 0..exponent {
-            result = result.mul_within(self, budget)?;
-            if result.is_zero() {
+        // For sparse polynomials repeated multiplication beats repeated squaring (Fateman 1974).
+        let mut power = self.clone();
+        for _ in 1..exponent {
+            if power.is_zero() {
                 break;
             }
+            power = power.mul_within(self, budget)?;
         }
-        Ok(result)
+        Ok(power)
     }
 
     /// The power; see [`try_pow`](Self::try_pow).
@@ -99,26 +115,34 @@ impl Polynomial {
 
     /// The product with an integer.
     pub fn mul_integer(&self, factor: &BigInt) -> Polynomial {
+        self.mul_scalar(&factor.into())
+    }
+
+    pub(crate) fn mul_scalar(&self, factor: &Scalar) -> Polynomial {
         if factor.is_zero() {
-            return Polynomial::zero(self.ring());
+            return Polynomial::zero(self.ring);
         }
         if factor.is_one() {
             return self.clone();
         }
-        self.map_coefficients(|c| c * factor)
+        self.map_coefficients(|c| Some(factor.times(c)))
+            .expect("a product always exists")
     }
 
     /// The product with a term.
     pub fn mul_term(&self, exponents: &[u32], factor: &BigInt) -> Result<Polynomial, Error> {
-        self.try_mul(&Polynomial::from_terms(
-            self.ring(),
-            [(exponents, factor.clone())],
-        )?)
+        if exponents.len() != self.ring.len() {
+            return Err(Error::WrongLength {
+                expected: self.ring.len(),
+                found: exponents.len(),
+            });
+        }
+        self.try_mul(&Polynomial::from_term(self.ring, exponents, factor.into()))
     }
 
-    /// The sum of the products of pairs, in one pass.
+    /// The sum of the products of pairs.
     pub fn sum_of_products<'a>(
-        ring: crate::Ring,
+        ring: Ring,
         pairs: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>,
     ) -> Result<Polynomial, Error> {
         let mut sum = Polynomial::zero(ring);
@@ -127,12 +151,39 @@ impl Polynomial {
         }
         Ok(sum)
     }
+
+    /// The sum of polynomials of a ring, added in pairs so that no long one is copied often.
+    pub(crate) fn sum(ring: Ring, mut summands: Vec<Polynomial>) -> Polynomial {
+        while summands.len() > 1 {
+            summands = summands
+                .chunks(2)
+                .map(|pair| {
+                    if let [a, b] = pair {
+                        a + b
+                    } else {
+                        pair[0].clone()
+                    }
+                })
+                .collect();
+        }
+        summands.pop().unwrap_or_else(|| Polynomial::zero(ring))
+    }
+
+    pub(crate) fn check_ring(&self, other: &Polynomial) -> Result<(), Error> {
+        if self.ring == other.ring {
+            Ok(())
+        } else {
+            Err(Error::RingMismatch)
+        }
+    }
 }
+
+static UNLIMITED: Budget = Budget::unlimited();
 
 impl Neg for &Polynomial {
     type Output = Polynomial;
     fn neg(self) -> Polynomial {
-        self.map_coefficients(|c| -c)
+        each_layout!(&self.terms, list => self.with(list.negated()))
     }
 }
 

@@ -1,11 +1,11 @@
-//! Exact division, division with remainder, pseudo-division.
+//! Division: exact, with remainder by one or many, pseudo-division.
 
+use crate::coefficient::Scalar;
+use crate::divide_heap::{Outcome, divide};
 use crate::error::Error;
-use crate::monomial::Monomial;
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Polynomial, layout_of};
+use crate::terms::same_layout;
 use num_bigint::BigInt;
-use num_integer::Integer as _;
-use num_traits::Zero;
 
 impl Polynomial {
     /// The quotient if `divisor` divides; `None` if it does not or is zero.
@@ -13,16 +13,18 @@ impl Polynomial {
     /// # Panics
     /// If the operands belong to different rings.
     pub fn div_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
-        assert!(self.ring() == divisor.ring(), "{}", Error::RingMismatch);
-        if divisor.is_zero() {
+        if self.ring != divisor.ring {
+            panic!("{}", Error::RingMismatch);
+        }
+        // A divisor with greater exponents than the dividend does not divide; both are canonical.
+        if divisor.is_zero() || (!self.is_zero() && divisor.terms.kind() > self.terms.kind()) {
             return None;
         }
-        let (quotients, remainder) = self.divide(&[divisor], true);
-        remainder.is_zero().then(|| {
-            quotients
-                .into_iter()
-                .next()
-                .expect("one divisor, one quotient")
+        same_layout!(self.ring, &self.terms, &divisor.terms, a, b => {
+            match divide(a, b, layout_of(a, self.ring)) {
+                Outcome::Quotient(list) => Some(self.with(list)),
+                Outcome::NotDivisible => None,
+            }
         })
     }
 
@@ -35,17 +37,16 @@ impl Polynomial {
         }
     }
 
-    /// Division of every coefficient by an integer, if it divides them all.
+    /// Division of every coefficient by an integer, if it divides them all; zero divides nothing.
     pub fn div_integer(&self, divisor: &BigInt) -> Option<Polynomial> {
-        if divisor.is_zero()
-            || self
-                .raw_terms()
-                .iter()
-                .any(|t| !t.1.is_multiple_of(divisor))
-        {
+        self.div_scalar(&divisor.into())
+    }
+
+    pub(crate) fn div_scalar(&self, divisor: &Scalar) -> Option<Polynomial> {
+        if divisor.is_zero() {
             return None;
         }
-        Some(self.map_coefficients(|c| c / divisor))
+        self.map_coefficients(|c| divisor.divide(c))
     }
 
     /// Division by a list (Cox, Little, O'Shea, Ideals, Varieties, and Algorithms, section 2.3): quotients
@@ -56,49 +57,38 @@ impl Polynomial {
         divisors: &[&Polynomial],
     ) -> Result<(Vec<Polynomial>, Polynomial), Error> {
         for divisor in divisors {
-            if divisor.ring() != self.ring() {
-                return Err(Error::RingMismatch);
-            }
+            self.check_ring(divisor)?;
             if divisor.is_zero() {
                 return Err(Error::DivisionByZero);
             }
         }
-        Ok(self.divide(divisors, false))
-    }
-
-    fn divide(&self, divisors: &[&Polynomial], exact: bool) -> (Vec<Polynomial>, Polynomial) {
-        let ring = self.ring();
+        let leading: Vec<_> = divisors.iter().map(|g| g.leading_scalar()).collect();
         let mut rest = self.clone();
-        let mut quotients: Vec<Vec<(Monomial, BigInt)>> = vec![Vec::new(); divisors.len()];
+        let mut quotients = vec![Vec::new(); divisors.len()];
         let mut remainder = Vec::new();
-        while let Some((m, c)) = rest.leading_term() {
-            let step = divisors.iter().enumerate().find_map(|(i, g)| {
-                let (lm, lc) = &g.raw_terms()[0];
-                let quotient = m.checked_div(lm)?;
-                c.is_multiple_of(lc).then(|| (i, quotient, &c / lc))
+        while let Some((monomial, c)) = rest.leading_scalar() {
+            let step = leading.iter().enumerate().find_map(|(i, lead)| {
+                let (lm, lc) = lead.as_ref()?;
+                Some((i, monomial.checked_div(lm)?, lc.divide(c.value())?))
             });
-            if let Some((i, quotient, factor)) = step {
-                // The leading monomials cancel; in a degree order no exponent of the product can pass
-                // those of `rest` by more than its total degree, in lex it may: then keep the term.
-                let subtract = divisors[i].mul_term(&quotient, &-&factor);
-                if let Ok(subtract) = subtract {
-                    rest += &subtract;
+            match step {
+                Some((i, quotient, factor)) => {
+                    let term = Polynomial::from_term(self.ring, &quotient, factor.clone());
+                    rest = rest.try_sub(&term.try_mul(divisors[i])?)?;
                     quotients[i].push((quotient, factor));
-                    continue;
+                }
+                None => {
+                    rest -= Polynomial::from_term(self.ring, &monomial, c.clone());
+                    remainder.push((monomial, c));
                 }
             }
-            let head = Polynomial::collect(ring, vec![(m.clone(), c.clone())]);
-            rest -= &head;
-            remainder.push((m, c));
-            if exact {
-                break;
-            }
         }
+        let ring = self.ring;
         let quotients = quotients
             .into_iter()
-            .map(|q| Polynomial::collect(ring, q))
+            .map(|q| Polynomial::from_list(ring, q))
             .collect();
-        (quotients, Polynomial::collect(ring, remainder))
+        Ok((quotients, Polynomial::from_list(ring, remainder)))
     }
 
     /// Pseudo-division in one variable (Knuth, TAOCP 2, 4.6.1, algorithm R): quotient `q` and remainder
@@ -109,10 +99,8 @@ impl Polynomial {
         divisor: &Polynomial,
         variable: usize,
     ) -> Result<(Polynomial, Polynomial), Error> {
-        let ring = self.ring();
-        if ring != divisor.ring() {
-            return Err(Error::RingMismatch);
-        }
+        let ring = self.ring;
+        self.check_ring(divisor)?;
         if variable >= ring.len() {
             return Err(Error::VariableOutOfRange(variable));
         }

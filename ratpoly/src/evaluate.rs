@@ -3,9 +3,8 @@
 use crate::error::Error;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 impl Polynomial {
     /// The value at a rational point, one coordinate for each variable.
@@ -19,13 +18,13 @@ impl Polynomial {
             .zip(&degrees)
             .map(|(x, &d)| (powers(x.numer(), d), powers(x.denom(), d)))
             .collect();
-        for (monomial, c) in self.raw_terms() {
-            let mut value = c.clone();
-            for ((&e, &d), (n, q)) in monomial.iter().zip(&degrees).zip(&tables) {
+        self.for_each_term(|exponents, c| {
+            let mut value = c.to_big();
+            for ((&e, &d), (n, q)) in exponents.iter().zip(&degrees).zip(&tables) {
                 value = value * &n[e as usize] * &q[(d - e) as usize];
             }
             sum += value;
-        }
+        });
         let mut denominator = BigInt::one();
         for (&d, (_, q)) in degrees.iter().zip(&tables) {
             denominator *= &q[d as usize];
@@ -43,15 +42,15 @@ impl Polynomial {
             .map(|(x, &d)| powers(x, d))
             .collect();
         let mut sum = BigInt::zero();
-        for (monomial, c) in self.raw_terms() {
-            let mut value = c.clone();
-            for (&e, table) in monomial.iter().zip(&tables) {
+        self.for_each_term(|exponents, c| {
+            let mut value = c.to_big();
+            for (&e, table) in exponents.iter().zip(&tables) {
                 if e > 0 {
                     value *= &table[e as usize];
                 }
             }
             sum += value;
-        }
+        });
         Ok(sum)
     }
 
@@ -63,9 +62,9 @@ impl Polynomial {
         }
         let mul = |a: u64, b: u64| (u128::from(a) * u128::from(b) % u128::from(modulus)) as u64;
         let mut sum = 0u64;
-        for (monomial, c) in self.raw_terms() {
-            let mut value = residue(c, modulus);
-            for (&e, &x) in monomial.iter().zip(point) {
+        self.for_each_term(|exponents, c| {
+            let mut value = c.residue(modulus);
+            for (&e, &x) in exponents.iter().zip(point) {
                 let (mut base, mut e) = (x % modulus, e);
                 while e > 0 {
                     if e & 1 == 1 {
@@ -76,7 +75,7 @@ impl Polynomial {
                 }
             }
             sum = ((u128::from(sum) + u128::from(value)) % u128::from(modulus)) as u64;
-        }
+        });
         Ok(sum)
     }
 
@@ -88,14 +87,6 @@ impl Polynomial {
             Err(Error::WrongLength { expected, found })
         }
     }
-}
-
-/// The residue in `0..modulus`.
-pub(crate) fn residue(value: &BigInt, modulus: u64) -> u64 {
-    value
-        .mod_floor(&BigInt::from(modulus))
-        .to_u64()
-        .expect("a residue is below the modulus")
 }
 
 /// The powers `0..=degree`.

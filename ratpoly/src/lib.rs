@@ -19,18 +19,24 @@
 //! # }
 //! ```
 
+mod add;
 mod arithmetic;
 mod budget;
+mod coefficient;
 mod display;
 mod divide;
+mod divide_heap;
 mod elimination;
 mod error;
 mod evaluate;
 mod gcd;
 mod groebner;
 mod ideal;
+mod layout;
 pub mod modular;
 mod monomial;
+mod multiply;
+mod packed;
 mod parse;
 mod polynomial;
 mod rational_function;
@@ -40,7 +46,9 @@ mod ring;
 mod serialize;
 mod sign;
 mod substitute;
+mod terms;
 pub mod univariate;
+mod window;
 
 pub use budget::Budget;
 pub use elimination::{relations, relations_within};

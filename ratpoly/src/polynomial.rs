@@ -1,20 +1,23 @@
 //! Sparse distributed polynomials over the integers.
 //!
-//! Invariants: the terms are in strictly descending order in the ring's order, no coefficient is zero.
+//! Invariants: the terms are in strictly descending order in the ring's order, no coefficient is zero, and
+//! the representation (see `terms.rs`) is the narrowest that holds them.
 
+use crate::coefficient::{Accumulator, Coefficient, Scalar, Value};
 use crate::error::Error;
+use crate::layout::{KINDS, Layout};
 use crate::monomial::Monomial;
+use crate::packed::PackedMonomial;
 use crate::ring::Ring;
+use crate::terms::{Term, TermList, Terms, each_layout, each_width, same_layout};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
-use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 
 /// A polynomial over the integers, canonical by construction: equality is structural.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Polynomial {
-    ring: Ring,
-    terms: Vec<(Monomial, BigInt)>,
+    pub(crate) ring: Ring,
+    pub(crate) terms: Terms,
 }
 
 impl Polynomial {
@@ -22,24 +25,22 @@ impl Polynomial {
     pub fn zero(ring: Ring) -> Self {
         Polynomial {
             ring,
-            terms: Vec::new(),
+            terms: Terms::zero(ring),
         }
     }
 
     /// The polynomial 1.
     pub fn one(ring: Ring) -> Self {
-        Polynomial::constant(ring, 1)
+        Polynomial::from_scalar(ring, Scalar::Small(1))
     }
 
     /// A constant polynomial.
     pub fn constant(ring: Ring, value: impl Into<BigInt>) -> Self {
-        let value = value.into();
-        let terms = if value.is_zero() {
-            Vec::new()
-        } else {
-            vec![(Monomial::one(ring.len()), value)]
-        };
-        Polynomial { ring, terms }
+        Polynomial::from_scalar(ring, value.into().into())
+    }
+
+    pub(crate) fn from_scalar(ring: Ring, value: Scalar) -> Self {
+        Polynomial::from_term(ring, &vec![0; ring.len()], value)
     }
 
     /// The variable at a position of the ring.
@@ -53,15 +54,17 @@ impl Polynomial {
         );
         let mut exponents = vec![0; ring.len()];
         exponents[index] = 1;
-        Polynomial {
-            ring,
-            terms: vec![(Monomial::new(exponents), BigInt::one())],
-        }
+        Polynomial::from_term(ring, &exponents, Scalar::Small(1))
     }
 
     /// The variable of this name.
     pub fn named(ring: Ring, name: &str) -> Result<Self, Error> {
         Ok(Polynomial::variable(ring, ring.index_of(name)?))
+    }
+
+    /// A polynomial of one term, or zero.
+    pub(crate) fn from_term(ring: Ring, exponents: &[u32], value: Scalar) -> Self {
+        Polynomial::from_list(ring, vec![(Monomial::new(exponents), value)])
     }
 
     /// The sum of the given terms, in any order, repeated monomials allowed.
@@ -70,39 +73,54 @@ impl Polynomial {
         E: AsRef<[u32]>,
         I: IntoIterator<Item = (E, BigInt)>,
     {
-        let mut list = Vec::new();
-        for (exponents, coefficient) in terms {
-            let exponents = exponents.as_ref();
-            if exponents.len() != ring.len() {
+        let mut exponents = Vec::new();
+        let mut coefficients = Vec::new();
+        for (row, coefficient) in terms {
+            let row = row.as_ref();
+            if row.len() != ring.len() {
                 return Err(Error::WrongLength {
                     expected: ring.len(),
-                    found: exponents.len(),
+                    found: row.len(),
                 });
             }
-            list.push((Monomial::new(exponents), coefficient));
+            exponents.extend_from_slice(row);
+            coefficients.push(coefficient.into());
         }
-        Ok(Polynomial::collect(ring, list))
+        Ok(Polynomial::from_rows(ring, &exponents, coefficients))
     }
 
-    /// Sorts, adds equal monomials and drops zeros: the normalising constructor.
-    pub(crate) fn collect(ring: Ring, mut list: Vec<(Monomial, BigInt)>) -> Self {
-        list.sort_by(|a, b| ring.compare(&b.0, &a.0));
-        let mut terms: Vec<(Monomial, BigInt)> = Vec::with_capacity(list.len());
-        for (monomial, coefficient) in list {
-            match terms.last_mut() {
-                Some(last) if last.0 == monomial => last.1 += coefficient,
-                _ => {
-                    if terms.last().is_some_and(|t| t.1.is_zero()) {
-                        terms.pop();
-                    }
-                    terms.push((monomial, coefficient));
-                }
+    /// The sum of terms given by exponent vectors, one after the other, and coefficients.
+    pub(crate) fn from_rows(ring: Ring, exponents: &[u32], coefficients: Vec<Scalar>) -> Self {
+        let variables = ring.len();
+        let rows = |k: usize| &exponents[k * variables..(k + 1) * variables];
+        for kind in 0..KINDS {
+            let Some(layout) = ring.layout(kind) else {
+                continue;
+            };
+            let terms = match kind {
+                0 => collect_rows(ring, layout, rows, &coefficients).map(Terms::One),
+                1 => collect_rows(ring, layout, rows, &coefficients).map(Terms::Two),
+                2 => collect_rows(ring, layout, rows, &coefficients).map(Terms::Four),
+                _ => collect_rows(ring, layout, rows, &coefficients).map(Terms::Wide),
+            };
+            if let Some(terms) = terms {
+                // A term that cancelled may have asked for the wide layout.
+                let terms = each_layout!(terms, list => list.into_terms(ring));
+                return Polynomial { ring, terms };
             }
         }
-        if terms.last().is_some_and(|t| t.1.is_zero()) {
-            terms.pop();
+        unreachable!("the last layout holds all exponents")
+    }
+
+    /// The sum of the given terms of this ring.
+    pub(crate) fn from_list(ring: Ring, list: Vec<(Monomial, Scalar)>) -> Self {
+        let mut exponents = Vec::with_capacity(list.len() * ring.len());
+        let mut coefficients = Vec::with_capacity(list.len());
+        for (monomial, coefficient) in list {
+            exponents.extend_from_slice(&monomial);
+            coefficients.push(coefficient);
         }
-        Polynomial { ring, terms }
+        Polynomial::from_rows(ring, &exponents, coefficients)
     }
 
     /// The ring.
@@ -112,15 +130,26 @@ impl Polynomial {
 
     /// The terms in descending order.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (Monomial, BigInt)> + ExactSizeIterator {
-        self.terms.iter().cloned()
+        (0..self.len()).map(|k| self.term(k).expect("below the number of terms"))
+    }
+
+    fn term(&self, index: usize) -> Option<(Monomial, BigInt)> {
+        each_layout!(&self.terms, list => list.get(index).map(|(m, c)| {
+            (unpacked(m, self.ring), c.to_big())
+        }))
     }
 
     /// The exponent vectors of all terms, one after the other, in descending order.
     pub fn exponents_flat(&self) -> Vec<u32> {
-        self.terms
-            .iter()
-            .flat_map(|t| t.0.exponents().iter().copied())
-            .collect()
+        let mut flat = vec![0; self.len() * self.ring.len()];
+        if !self.ring.is_empty() {
+            let mut rows = flat.chunks_exact_mut(self.ring.len());
+            each_layout!(&self.terms, list => {
+                let layout = layout_of(list, self.ring);
+                list.for_each(|m, _| m.unpack(layout, rows.next().expect("a row for each term")));
+            });
+        }
+        flat
     }
 
     /// The residues of all coefficients in `0..modulus`, in the order of the terms.
@@ -128,18 +157,25 @@ impl Polynomial {
     /// # Panics
     /// If the modulus is zero.
     pub fn residues(&self, modulus: u64) -> Vec<u64> {
-        self.terms
-            .iter()
-            .map(|t| crate::evaluate::residue(&t.1, modulus))
-            .collect()
+        let mut residues = Vec::with_capacity(self.len());
+        each_layout!(&self.terms, list => list.for_each(|_, c| residues.push(c.residue(modulus))));
+        residues
     }
 
-    /// Only for the kernel of this crate: the representation is about to change.
-    pub(crate) fn raw_terms(&self) -> &[(Monomial, BigInt)] {
-        &self.terms
+    /// Calls a function on the exponents and the coefficient of every term in descending order.
+    pub(crate) fn for_each_term(&self, mut f: impl FnMut(&[u32], Value<'_>)) {
+        let mut exponents = vec![0; self.ring.len()];
+        each_layout!(&self.terms, list => {
+            let layout = layout_of(list, self.ring);
+            list.for_each(|m, c| {
+                m.unpack(layout, &mut exponents);
+                f(&exponents, c);
+            });
+        });
     }
 
     /// The number of terms.
+    #[inline]
     pub fn len(&self) -> usize {
         self.terms.len()
     }
@@ -150,76 +186,103 @@ impl Polynomial {
     }
 
     /// Whether this is 0.
+    #[inline]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
     /// Whether this is 1.
     pub fn is_one(&self) -> bool {
-        self.terms.len() == 1 && self.terms[0].0.is_one() && self.terms[0].1.is_one()
+        self.as_scalar().is_some_and(|c| c.is_one())
     }
 
     /// Whether no variable occurs.
     pub fn is_constant(&self) -> bool {
-        self.is_zero() || (self.terms.len() == 1 && self.terms[0].0.is_one())
+        self.as_scalar().is_some()
     }
 
     /// The value of a constant polynomial.
     pub fn as_constant(&self) -> Option<BigInt> {
-        if self.is_zero() {
-            Some(BigInt::zero())
-        } else {
-            self.is_constant().then(|| self.terms[0].1.clone())
+        self.as_scalar().map(BigInt::from)
+    }
+
+    pub(crate) fn as_scalar(&self) -> Option<Scalar> {
+        match self.len() {
+            0 => Some(Scalar::Small(0)),
+            1 => each_layout!(&self.terms, list => {
+                list.get(0).filter(|t| t.0.is_one()).map(|t| t.1.to_scalar())
+            }),
+            _ => None,
         }
     }
 
     /// The greatest term.
     pub fn leading_term(&self) -> Option<(Monomial, BigInt)> {
-        self.terms.first().cloned()
+        self.term(0)
     }
 
     /// The monomial of the greatest term.
     pub fn leading_monomial(&self) -> Option<Monomial> {
-        self.terms.first().map(|t| t.0.clone())
+        each_layout!(&self.terms, list => list.get(0).map(|t| unpacked(t.0, self.ring)))
     }
 
     /// The coefficient of the greatest term, zero for the zero polynomial.
     pub fn leading_coefficient(&self) -> BigInt {
-        self.terms
-            .first()
-            .map_or_else(BigInt::zero, |t| t.1.clone())
+        each_layout!(&self.terms, list => list.get(0).map_or(BigInt::ZERO, |t| t.1.to_big()))
+    }
+
+    pub(crate) fn leading_scalar(&self) -> Option<(Monomial, Scalar)> {
+        each_layout!(&self.terms, list => {
+            list.get(0).map(|(m, c)| (unpacked(m, self.ring), c.to_scalar()))
+        })
+    }
+
+    /// Whether the leading coefficient is negative.
+    #[inline]
+    pub(crate) fn leads_negative(&self) -> bool {
+        each_layout!(&self.terms, list => list.get(0).is_some_and(|t| t.1.is_negative()))
     }
 
     /// The coefficient of a monomial, zero if it does not occur.
     pub fn coefficient(&self, exponents: &[u32]) -> BigInt {
-        match self
-            .terms
-            .binary_search_by(|t| self.ring.compare(exponents, &t.0))
-        {
-            Ok(i) => self.terms[i].1.clone(),
-            Err(_) => BigInt::zero(),
+        if exponents.len() != self.ring.len() {
+            return BigInt::ZERO;
         }
+        each_layout!(&self.terms, list => coefficient_of(list, self.ring, exponents))
     }
 
     /// The degree in one variable; `None` for the zero polynomial.
+    ///
+    /// # Panics
+    /// If the ring has no such variable.
     pub fn degree(&self, variable: usize) -> Option<u32> {
-        self.terms.iter().map(|t| t.0[variable]).max()
+        assert!(
+            variable < self.ring.len(),
+            "the ring has no variable number {variable}"
+        );
+        let mut degree = None;
+        each_layout!(&self.terms, list => {
+            let layout = layout_of(list, self.ring);
+            list.all_monomials(|m| {
+                degree = degree.max(Some(m.exponent(layout, variable)));
+                true
+            })
+        });
+        degree
     }
 
     /// The degrees in all variables, zeros for the zero polynomial.
     pub fn degrees(&self) -> Vec<u32> {
-        let mut degrees = vec![0; self.ring.len()];
-        for (monomial, _) in &self.terms {
-            for (d, &e) in degrees.iter_mut().zip(monomial.exponents()) {
-                *d = (*d).max(e);
-            }
-        }
-        degrees
+        each_layout!(&self.terms, list => list.degrees(layout_of(list, self.ring)))
     }
 
     /// The greatest total degree of a term; `None` for the zero polynomial.
     pub fn total_degree(&self) -> Option<u64> {
-        self.terms.iter().map(|t| t.0.total_degree()).max()
+        let mut degree = None;
+        self.for_each_term(|exponents, _| {
+            degree = degree.max(Some(exponents.iter().map(|&e| u64::from(e)).sum()));
+        });
+        degree
     }
 
     /// The variables that occur, ascending.
@@ -234,28 +297,36 @@ impl Polynomial {
 
     /// The nonnegative greatest common divisor of the coefficients.
     pub fn content(&self) -> BigInt {
-        let mut content = BigInt::zero();
-        for (_, c) in &self.terms {
-            content = content.gcd(c);
-            if content.is_one() {
-                break;
+        self.content_scalar().into()
+    }
+
+    pub(crate) fn content_scalar(&self) -> Scalar {
+        fn fold<M, C: Coefficient>(terms: &[Term<M, C>]) -> Scalar {
+            let mut content = Scalar::Small(0);
+            // The last coefficients of a polynomial are often the small ones.
+            for term in terms.iter().rev() {
+                content = content.gcd(term.coefficient.value());
+                if content.is_one() {
+                    break;
+                }
             }
+            content
         }
-        content
+        each_layout!(&self.terms, list => each_width!(list, terms => fold(terms)))
     }
 
     /// The polynomial divided by its content, with the sign of the leading coefficient kept.
     pub fn primitive_part(&self) -> Polynomial {
-        let content = self.content();
+        let content = self.content_scalar();
         if content.is_zero() || content.is_one() {
             return self.clone();
         }
-        self.map_coefficients(|c| c / &content)
+        self.div_scalar(&content).expect("the content divides")
     }
 
     /// `self` or `-self`, so that the leading coefficient is positive.
     pub fn unit_normal(&self) -> Polynomial {
-        if self.terms.first().is_some_and(|t| t.1.is_negative()) {
+        if self.leads_negative() {
             -self
         } else {
             self.clone()
@@ -264,34 +335,46 @@ impl Polynomial {
 
     /// The greatest monomial that divides every term; 1 for the zero polynomial.
     pub fn monomial_content(&self) -> Monomial {
-        let mut terms = self.terms.iter();
-        let Some((first, _)) = terms.next() else {
-            return Monomial::one(self.ring.len());
-        };
-        terms.fold(first.clone(), |content, (m, _)| content.gcd(m))
+        let mut least: Option<Vec<u32>> = None;
+        each_layout!(&self.terms, list => {
+            let layout = layout_of(list, self.ring);
+            let mut exponents = vec![0; self.ring.len()];
+            list.all_monomials(|m| {
+                m.unpack(layout, &mut exponents);
+                let least = least.get_or_insert_with(|| exponents.clone());
+                least.iter_mut().zip(&exponents).for_each(|(l, e)| *l = (*l).min(*e));
+                least.iter().any(|e| *e > 0)
+            })
+        });
+        Monomial::new(least.unwrap_or_else(|| vec![0; self.ring.len()]))
     }
 
     /// The largest number of bits of a coefficient.
     pub fn coefficient_bits(&self) -> u64 {
-        self.terms.iter().map(|t| t.1.bits()).max().unwrap_or(0)
+        each_layout!(&self.terms, list => list.bits())
     }
 
     /// The coefficients as a polynomial in one variable: entry `k` belongs to its `k`-th power and no
     /// longer contains it. Empty for the zero polynomial.
+    ///
+    /// # Panics
+    /// If the ring has no such variable.
     pub fn coefficients_in(&self, variable: usize) -> Vec<Polynomial> {
         let Some(degree) = self.degree(variable) else {
             return Vec::new();
         };
-        let mut lists = vec![Vec::new(); degree as usize + 1];
-        for (monomial, c) in &self.terms {
-            let mut exponents = monomial.exponents().to_vec();
-            let k = std::mem::take(&mut exponents[variable]);
-            lists[k as usize].push((Monomial::new(exponents), c.clone()));
-        }
-        lists
-            .into_iter()
-            .map(|list| Polynomial::collect(self.ring, list))
-            .collect()
+        each_layout!(&self.terms, list => {
+            let layout = layout_of(list, self.ring);
+            let mut lists = vec![TermList::new(); degree as usize + 1];
+            let mut exponents = vec![0; self.ring.len()];
+            // Terms with one power keep their order when it is taken out.
+            list.for_each(|m, c| {
+                m.unpack(layout, &mut exponents);
+                let k = std::mem::take(&mut exponents[variable]) as usize;
+                lists[k].push(packed_like(m, layout, &exponents), c.to_scalar());
+            });
+            lists.into_iter().map(|list| self.with(list)).collect()
+        })
     }
 
     /// The sum of `coefficients[k]` times the `k`-th power of a variable.
@@ -309,51 +392,130 @@ impl Polynomial {
                 return Err(Error::RingMismatch);
             }
             let k = u32::try_from(k).map_err(|_| Error::ExponentOverflow)?;
-            for (monomial, c) in &polynomial.terms {
-                let mut exponents = monomial.exponents().to_vec();
-                exponents[variable] = exponents[variable]
-                    .checked_add(k)
-                    .ok_or(Error::ExponentOverflow)?;
-                list.push((Monomial::new(exponents), c.clone()));
+            let mut overflow = false;
+            polynomial.for_each_term(|exponents, c| {
+                let mut exponents = exponents.to_vec();
+                match exponents[variable].checked_add(k) {
+                    Some(e) => exponents[variable] = e,
+                    None => overflow = true,
+                }
+                list.push((Monomial::new(exponents), c.to_scalar()));
+            });
+            if overflow {
+                return Err(Error::ExponentOverflow);
             }
         }
-        Ok(Polynomial::collect(ring, list))
+        Ok(Polynomial::from_list(ring, list))
     }
 
     /// The derivative with respect to one variable.
+    ///
+    /// # Panics
+    /// If the ring has no such variable.
     pub fn derivative(&self, variable: usize) -> Polynomial {
-        let list = self
-            .terms
-            .iter()
-            .filter(|t| t.0[variable] > 0)
-            .map(|(monomial, c)| {
-                let mut exponents = monomial.exponents().to_vec();
-                let e = exponents[variable];
-                exponents[variable] -= 1;
-                (Monomial::new(exponents), c * e)
+        assert!(
+            variable < self.ring.len(),
+            "the ring has no variable number {variable}"
+        );
+        let mut step = vec![0; self.ring.len()];
+        step[variable] = 1;
+        each_layout!(&self.terms, list => {
+            let layout = layout_of(list, self.ring);
+            let mut derivative = TermList::new();
+            list.for_each(|m, c| {
+                let step = packed_like(m, layout, &step);
+                if let Some(quotient) = m.quotient(&step, layout) {
+                    let e = Scalar::Small(m.exponent(layout, variable).into());
+                    derivative.push(quotient, e.times(c));
+                }
             });
-        Polynomial::collect(self.ring, list.collect())
+            self.with(derivative)
+        })
     }
 
-    /// Applies a map that sends nonzero coefficients to nonzero coefficients.
-    pub(crate) fn map_coefficients(&self, f: impl Fn(&BigInt) -> BigInt) -> Polynomial {
-        let terms = self.terms.iter().map(|(m, c)| (m.clone(), f(c))).collect();
+    /// A polynomial of this ring with other terms.
+    #[inline]
+    pub(crate) fn with<M: PackedMonomial>(&self, list: TermList<M>) -> Polynomial {
         Polynomial {
             ring: self.ring,
-            terms,
+            terms: list.into_terms(self.ring),
         }
+    }
+
+    /// Applies a map that sends nonzero coefficients to nonzero coefficients; `None` if it fails.
+    pub(crate) fn map_coefficients(
+        &self,
+        f: impl Fn(Value<'_>) -> Option<Scalar>,
+    ) -> Option<Polynomial> {
+        each_layout!(&self.terms, list => {
+            Some(self.with(list.map_coefficients(&f)?))
+        })
     }
 
     /// Whether the invariants hold. They always do; tests ask.
     pub fn is_canonical(&self) -> bool {
-        self.terms
-            .iter()
-            .all(|t| t.0.len() == self.ring.len() && !t.1.is_zero())
-            && self
-                .terms
-                .windows(2)
-                .all(|w| self.ring.compare(&w[0].0, &w[1].0).is_gt())
+        self.terms.is_canonical(self.ring)
     }
+}
+
+/// The layout of a list in a ring.
+#[inline]
+pub(crate) fn layout_of<M: PackedMonomial>(_: &TermList<M>, ring: Ring) -> &'static Layout {
+    M::layout(ring)
+}
+
+/// Packs exponents that fit as those of another monomial do.
+fn packed_like<M: PackedMonomial>(_: &M, layout: &Layout, exponents: &[u32]) -> M {
+    M::from_fields(layout, |k| layout.field_of(exponents, k))
+}
+
+fn unpacked<M: PackedMonomial>(monomial: &M, ring: Ring) -> Monomial {
+    let mut exponents = vec![0; ring.len()];
+    monomial.unpack(M::layout(ring), &mut exponents);
+    Monomial::new(exponents)
+}
+
+fn coefficient_of<M: PackedMonomial>(list: &TermList<M>, ring: Ring, exponents: &[u32]) -> BigInt {
+    let Some(wanted) = M::pack(M::layout(ring), exponents) else {
+        return BigInt::ZERO;
+    };
+    each_width!(list, terms => {
+        match terms.binary_search_by(|t| wanted.cmp(&t.monomial)) {
+            Ok(k) => terms[k].coefficient.value().to_big(),
+            Err(_) => BigInt::ZERO,
+        }
+    })
+}
+
+/// Sorts and adds terms in a layout; `None` if it does not hold them.
+fn collect_rows<'a, M: PackedMonomial>(
+    ring: Ring,
+    layout: &Layout,
+    rows: impl Fn(usize) -> &'a [u32],
+    coefficients: &[Scalar],
+) -> Option<TermList<M>> {
+    debug_assert_eq!(layout.variables, ring.len());
+    let small = coefficients.iter().map(|c| match c {
+        // A sum of fewer than 2^63 such terms fits 128 bits.
+        Scalar::Small(c) => i64::try_from(*c).ok(),
+        Scalar::Big(_) => None,
+    });
+    if let Some(small) = small.collect::<Option<Vec<i64>>>() {
+        let terms = small.into_iter().enumerate().map(|(k, c)| {
+            Some(Term {
+                monomial: M::pack(layout, rows(k))?,
+                coefficient: i128::from(c),
+            })
+        });
+        return Some(i128::collect(terms.collect::<Option<_>>()?));
+    }
+    let terms = coefficients.iter().enumerate().map(|(k, c)| {
+        Some(Term {
+            monomial: M::pack(layout, rows(k))?,
+            coefficient: c.value().to_big(),
+        })
+    });
+    Some(BigInt::collect(terms.collect::<Option<_>>()?))
 }
 
 impl PartialOrd for Polynomial {
@@ -367,13 +529,16 @@ impl Ord for Polynomial {
     /// leading term down; a polynomial is greater than its own leading part.
     fn cmp(&self, other: &Self) -> Ordering {
         self.ring.cmp(&other.ring).then_with(|| {
-            for (a, b) in self.terms.iter().zip(&other.terms) {
-                let order = self.ring.compare(&a.0, &b.0).then_with(|| a.1.cmp(&b.1));
-                if order.is_ne() {
-                    return order;
+            same_layout!(self.ring, &self.terms, &other.terms, a, b => {
+                for k in 0..a.len().min(b.len()) {
+                    let ((m, c), (n, d)) = (a.get(k).expect("a term"), b.get(k).expect("a term"));
+                    let order = m.cmp(n).then_with(|| c.compare(d));
+                    if order.is_ne() {
+                        return order;
+                    }
                 }
-            }
-            self.terms.len().cmp(&other.terms.len())
+            });
+            self.len().cmp(&other.len())
         })
     }
 }

@@ -5,6 +5,7 @@
 //! (some hundred bytes) is kept until the process ends.
 
 use crate::error::Error;
+use crate::layout::{KINDS, Layout};
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -30,6 +31,9 @@ pub struct Ring(&'static RingData);
 struct RingData {
     variables: Vec<String>,
     order: Order,
+    /// The ways to pack a monomial, the narrowest first; the last always exists.
+    layouts: [Option<Layout>; KINDS],
+    narrowest: usize,
 }
 
 static RINGS: Mutex<Vec<&'static RingData>> = Mutex::new(Vec::new());
@@ -59,7 +63,17 @@ impl Ring {
         {
             return Ok(Ring(known));
         }
-        let ring: &'static RingData = Box::leak(Box::new(RingData { variables, order }));
+        let layouts = Layout::all(order, variables.len());
+        let narrowest = layouts
+            .iter()
+            .position(Option::is_some)
+            .expect("the last layout exists");
+        let ring: &'static RingData = Box::leak(Box::new(RingData {
+            variables,
+            order,
+            layouts,
+            narrowest,
+        }));
         rings.push(ring);
         Ok(Ring(ring))
     }
@@ -96,6 +110,18 @@ impl Ring {
     /// The same variables under another order.
     pub fn with_order(&self, order: Order) -> Ring {
         Ring::new(self.0.variables.iter().cloned(), order).expect("the names are those of a ring")
+    }
+
+    /// A layout of the monomials by kind, if the ring has it.
+    #[inline]
+    pub(crate) fn layout(&self, kind: usize) -> Option<&'static Layout> {
+        self.0.layouts[kind].as_ref()
+    }
+
+    /// The kind of the narrowest layout.
+    #[inline]
+    pub(crate) fn narrowest(&self) -> usize {
+        self.0.narrowest
     }
 
     /// Compares two exponent vectors in the ring's order.

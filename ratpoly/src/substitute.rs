@@ -1,7 +1,6 @@
 //! Substitution, composition and change of ring.
 
 use crate::error::Error;
-use crate::monomial::Monomial;
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 
@@ -40,17 +39,17 @@ impl Polynomial {
             }
             powers.push(table);
         }
-        let mut list = Vec::new();
-        for (monomial, c) in self.raw_terms() {
-            let mut value = Polynomial::constant(target, c.clone());
+        let mut summands = Vec::with_capacity(self.len());
+        for (monomial, c) in self.terms() {
+            let mut value = Polynomial::constant(target, c);
             for (&e, table) in monomial.iter().zip(&powers) {
                 if e > 0 {
                     value = value.try_mul(&table[e as usize])?;
                 }
             }
-            list.extend_from_slice(value.raw_terms());
+            summands.push(value);
         }
-        Ok(Polynomial::collect(target, list))
+        Ok(Polynomial::sum(target, summands))
     }
 
     /// The same polynomial in another ring: variable `i` becomes variable `map[i]` there. A variable that
@@ -64,7 +63,7 @@ impl Polynomial {
             });
         }
         let mut list = Vec::with_capacity(self.len());
-        for (monomial, c) in self.raw_terms() {
+        for (monomial, c) in self.terms() {
             let mut exponents = vec![0u32; target.len()];
             for (i, (&e, image)) in monomial.iter().zip(map).enumerate() {
                 if e == 0 {
@@ -77,9 +76,9 @@ impl Polynomial {
                     .ok_or(Error::VariableOutOfRange(image))?;
                 *slot = slot.checked_add(e).ok_or(Error::ExponentOverflow)?;
             }
-            list.push((Monomial::new(exponents), c.clone()));
+            list.push((exponents, c));
         }
-        Ok(Polynomial::collect(target, list))
+        Polynomial::from_terms(target, list)
     }
 
     /// The same polynomial in a ring that has all the variables that occur, matched by name.

@@ -1,0 +1,209 @@
+//! Packed monomials: rows of fields in one, two or four words, or one field a word. What the fields
+//! mean is the business of [`Layout`].
+
+use crate::layout::Layout;
+use crate::ring::{Order, Ring};
+use crate::terms::{TermList, Terms};
+use std::cmp::Ordering;
+use std::fmt::Debug;
+use std::hash::Hash;
+
+/// A monomial in the layout of its ring and type. Its order is the order of the ring.
+pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'static {
+    /// The index of the layout among those of a ring.
+    const KIND: usize;
+
+    /// The layout of this type in a ring that has one.
+    fn layout(ring: Ring) -> &'static Layout {
+        ring.layout(Self::KIND)
+            .expect("monomials exist only in a layout of their ring")
+    }
+
+    /// The monomial with the given fields, each below the limit of the layout.
+    fn from_fields(layout: &Layout, field: impl Fn(usize) -> u64) -> Self;
+    /// The value of a field.
+    fn field(&self, layout: &Layout, field: usize) -> u64;
+    /// The product; the caller sees to overflows.
+    fn product(&self, other: &Self) -> Self;
+    /// The quotient, if `other` divides.
+    fn quotient(&self, other: &Self, layout: &Layout) -> Option<Self>;
+    /// Whether a sum of two monomials has overflowed a field.
+    fn overflows(&self, layout: &Layout) -> bool;
+    /// Fields that are at least those of both, and have no more bits than the longer.
+    fn join(&self, other: &Self) -> Self;
+    /// Whether a bit of the mask is set in a word.
+    fn meets(&self, mask: u64) -> bool;
+    /// The list among the lists of all kinds.
+    fn wrap(list: TermList<Self>) -> Terms;
+
+    /// Packs exponents, unless one is too large for the layout.
+    fn pack(layout: &Layout, exponents: &[u32]) -> Option<Self> {
+        let fits = (0..layout.fields).all(|k| layout.field_of(exponents, k) <= layout.limit());
+        fits.then(|| Self::from_fields(layout, |k| layout.field_of(exponents, k)))
+    }
+
+    /// The exponent of a variable.
+    fn exponent(&self, layout: &Layout, variable: usize) -> u32 {
+        layout.exponent_of(variable, |k| self.field(layout, k)) as u32
+    }
+
+    /// Writes the exponents.
+    fn unpack(&self, layout: &Layout, exponents: &mut [u32]) {
+        for (variable, e) in exponents.iter_mut().enumerate() {
+            *e = self.exponent(layout, variable);
+        }
+    }
+
+    /// Whether this is the empty product.
+    fn is_one(&self) -> bool {
+        !self.meets(u64::MAX)
+    }
+}
+
+/// Fields packed into `N` words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Packed<const N: usize>([u64; N]);
+
+impl<const N: usize> Ord for Packed<N> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        for k in 0..N - 1 {
+            if self.0[k] != other.0[k] {
+                return self.0[k].cmp(&other.0[k]);
+            }
+        }
+        self.0[N - 1].cmp(&other.0[N - 1])
+    }
+}
+
+impl<const N: usize> PartialOrd for Packed<N> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+macro_rules! packed {
+    ($words:literal $kind:literal $name:ident) => {
+        impl PackedMonomial for Packed<$words> {
+            const KIND: usize = $kind;
+
+            fn wrap(list: TermList<Self>) -> Terms {
+                Terms::$name(list)
+            }
+
+            fn from_fields(layout: &Layout, field: impl Fn(usize) -> u64) -> Self {
+                let mut words = [0; $words];
+                for k in 0..layout.fields {
+                    let (word, shift) = layout.place(k);
+                    words[word] |= field(k) << shift;
+                }
+                Packed(words)
+            }
+
+            fn field(&self, layout: &Layout, field: usize) -> u64 {
+                let (word, shift) = layout.place(field);
+                self.0[word] >> shift & layout.limit()
+            }
+
+            #[inline]
+            fn product(&self, other: &Self) -> Self {
+                Packed(std::array::from_fn(|k| self.0[k].wrapping_add(other.0[k])))
+            }
+
+            #[inline]
+            fn quotient(&self, other: &Self, layout: &Layout) -> Option<Self> {
+                let guard = layout.guard;
+                let mut words = [0; $words];
+                for (word, (a, b)) in words.iter_mut().zip(self.0.iter().zip(&other.0)) {
+                    let difference = (a | guard).wrapping_sub(*b);
+                    if difference & guard != guard {
+                        return None;
+                    }
+                    *word = difference ^ guard;
+                }
+                let quotient = Packed(words);
+                descends(&quotient, layout).then_some(quotient)
+            }
+
+            #[inline]
+            fn overflows(&self, layout: &Layout) -> bool {
+                self.meets(layout.guard)
+            }
+
+            #[inline]
+            fn join(&self, other: &Self) -> Self {
+                Packed(std::array::from_fn(|k| self.0[k] | other.0[k]))
+            }
+
+            #[inline]
+            fn meets(&self, mask: u64) -> bool {
+                self.0.iter().any(|w| w & mask != 0)
+            }
+        }
+    };
+}
+
+packed!(1 0 One);
+packed!(2 1 Two);
+packed!(4 2 Four);
+
+/// One field a word, for exponents that fit no packing.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Wide(Box<[u64]>);
+
+impl PackedMonomial for Wide {
+    const KIND: usize = 3;
+
+    fn wrap(list: TermList<Self>) -> Terms {
+        Terms::Wide(list)
+    }
+
+    fn from_fields(layout: &Layout, field: impl Fn(usize) -> u64) -> Self {
+        Wide((0..layout.fields).map(field).collect())
+    }
+
+    fn field(&self, _: &Layout, field: usize) -> u64 {
+        self.0[field]
+    }
+
+    fn product(&self, other: &Self) -> Self {
+        Wide(self.0.iter().zip(&other.0).map(|(a, b)| a + b).collect())
+    }
+
+    fn quotient(&self, other: &Self, layout: &Layout) -> Option<Self> {
+        let fields = self.0.iter().zip(&other.0).map(|(a, b)| a.checked_sub(*b));
+        let quotient = Wide(fields.collect::<Option<_>>()?);
+        descends(&quotient, layout).then_some(quotient)
+    }
+
+    /// Sums of fields are far from overflowing 64 bits, but an exponent is a `u32`.
+    fn overflows(&self, layout: &Layout) -> bool {
+        (0..layout.variables).any(|v| layout.exponent_of(v, |k| self.0[k]) > u64::from(u32::MAX))
+    }
+
+    /// The maximum: what it loses in bits it wins in truth.
+    fn join(&self, other: &Self) -> Self {
+        Wide(
+            self.0
+                .iter()
+                .zip(&other.0)
+                .map(|(a, b)| *a.max(b))
+                .collect(),
+        )
+    }
+
+    fn meets(&self, mask: u64) -> bool {
+        self.0.iter().any(|w| w & mask != 0)
+    }
+}
+
+/// Whether fields that came from a fieldwise difference are those of a monomial: in the orders by degree
+/// the exponents are differences of fields and must not be negative.
+#[inline]
+fn descends<M: PackedMonomial>(monomial: &M, layout: &Layout) -> bool {
+    let field = |k| monomial.field(layout, k);
+    match layout.order {
+        Order::Lex => true,
+        Order::Grlex => field(0) >= (1..layout.fields).map(field).sum(),
+        Order::Grevlex => (1..layout.fields).all(|k| field(k - 1) >= field(k)),
+    }
+}
