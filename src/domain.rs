@@ -1,0 +1,254 @@
+//! The fields in which a document is evaluated.
+//!
+//! The same evaluation runs over three fields: the rational functions in the document's letters
+//! (verdicts), the rational numbers at one point (witnesses, reference data) and the integers
+//! modulo a word-sized prime (the filter of the repair search, whose survivors are proved over the
+//! first). No floating-point field belongs here: that route is kept apart on purpose.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+use ratpoly::{Budget, RationalFunction, Ring};
+
+/// A field with exact equality.
+pub trait Domain {
+    /// An element in normal form: equal elements are structurally equal.
+    type Element: Clone + PartialEq + std::fmt::Debug;
+
+    /// The image of a rational number; `None` where its denominator vanishes in the field.
+    fn rational(&self, value: &BigRational) -> Option<Self::Element>;
+    /// The image of an integer.
+    fn integer(&self, value: i64) -> Self::Element;
+    /// Whether the element is zero.
+    fn is_zero(&self, element: &Self::Element) -> bool;
+    /// Sum.
+    fn add(&self, left: &Self::Element, right: &Self::Element) -> Self::Element;
+    /// Difference.
+    fn subtract(&self, left: &Self::Element, right: &Self::Element) -> Self::Element;
+    /// Product.
+    fn multiply(&self, left: &Self::Element, right: &Self::Element) -> Self::Element;
+    /// Quotient; `None` when the divisor is zero.
+    fn divide(&self, left: &Self::Element, right: &Self::Element) -> Option<Self::Element>;
+    /// Additive inverse.
+    fn negate(&self, element: &Self::Element) -> Self::Element;
+    /// Elimination prefers pivots of small size; 0 for fields where all are alike.
+    fn size(&self, _element: &Self::Element) -> usize {
+        0
+    }
+
+    /// The partial derivatives by the letters that occur; `None` over fields without letters.
+    fn partial_derivatives(&self, _element: &Self::Element) -> Option<Vec<(usize, Self::Element)>> {
+        None
+    }
+
+    /// `base^exponent` by repeated squaring; `None` when the result would be too large to keep.
+    fn power(&self, base: &Self::Element, mut exponent: u32) -> Option<Self::Element> {
+        let mut square = base.clone();
+        let mut result = self.integer(1);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = self.multiply(&result, &square);
+            }
+            exponent >>= 1;
+            if exponent > 0 {
+                square = self.multiply(&square, &square);
+            }
+        }
+        Some(result)
+    }
+}
+
+/// Rational functions over Q in the letters of a ring.
+#[derive(Clone, Debug)]
+pub struct Symbolic {
+    /// The letters.
+    pub ring: Ring,
+}
+
+impl Domain for Symbolic {
+    type Element = RationalFunction;
+
+    fn rational(&self, value: &BigRational) -> Option<RationalFunction> {
+        Some(RationalFunction::constant(self.ring, value.clone()))
+    }
+    fn integer(&self, value: i64) -> RationalFunction {
+        RationalFunction::constant(self.ring, BigRational::from_integer(BigInt::from(value)))
+    }
+    fn is_zero(&self, element: &RationalFunction) -> bool {
+        element.is_zero()
+    }
+    fn add(&self, left: &RationalFunction, right: &RationalFunction) -> RationalFunction {
+        left + right
+    }
+    fn subtract(&self, left: &RationalFunction, right: &RationalFunction) -> RationalFunction {
+        left - right
+    }
+    fn multiply(&self, left: &RationalFunction, right: &RationalFunction) -> RationalFunction {
+        left * right
+    }
+    fn divide(
+        &self,
+        left: &RationalFunction,
+        right: &RationalFunction,
+    ) -> Option<RationalFunction> {
+        left.checked_div(right).ok()
+    }
+    fn negate(&self, element: &RationalFunction) -> RationalFunction {
+        -element
+    }
+    fn size(&self, element: &RationalFunction) -> usize {
+        element.numerator().len() + element.denominator().len()
+    }
+    fn partial_derivatives(
+        &self,
+        element: &RationalFunction,
+    ) -> Option<Vec<(usize, RationalFunction)>> {
+        let mut letters = element.numerator().variables_occurring();
+        letters.extend(element.denominator().variables_occurring());
+        letters.sort_unstable();
+        letters.dedup();
+        letters
+            .into_iter()
+            .map(|letter| Some((letter, element.derivative(letter).ok()?)))
+            .collect()
+    }
+    fn power(&self, base: &RationalFunction, exponent: u32) -> Option<RationalFunction> {
+        let exponent = i32::try_from(exponent).ok()?;
+        base.pow_within(exponent, &Budget::default()).ok()
+    }
+}
+
+/// The rational numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Rationals;
+
+impl Domain for Rationals {
+    type Element = BigRational;
+
+    fn rational(&self, value: &BigRational) -> Option<BigRational> {
+        Some(value.clone())
+    }
+    fn integer(&self, value: i64) -> BigRational {
+        BigRational::from_integer(BigInt::from(value))
+    }
+    fn is_zero(&self, element: &BigRational) -> bool {
+        element.is_zero()
+    }
+    fn add(&self, left: &BigRational, right: &BigRational) -> BigRational {
+        left + right
+    }
+    fn subtract(&self, left: &BigRational, right: &BigRational) -> BigRational {
+        left - right
+    }
+    fn multiply(&self, left: &BigRational, right: &BigRational) -> BigRational {
+        left * right
+    }
+    fn divide(&self, left: &BigRational, right: &BigRational) -> Option<BigRational> {
+        (!right.is_zero()).then(|| left / right)
+    }
+    fn negate(&self, element: &BigRational) -> BigRational {
+        -element
+    }
+}
+
+/// The integers modulo the Mersenne prime 2^61 - 1.
+///
+/// A claim that is false fails here at a random point with probability about
+/// degree / 2^61 less than one (Schwartz 1980, Zippel 1979); whatever passes is proved exactly.
+#[derive(Clone, Copy, Debug)]
+pub struct PrimeField;
+
+/// 2^61 - 1.
+pub const PRIME: u64 = (1 << 61) - 1;
+
+impl PrimeField {
+    /// The residue of an integer.
+    pub fn residue(value: &BigInt) -> u64 {
+        value
+            .mod_floor(&BigInt::from(PRIME))
+            .to_u64()
+            .unwrap_or_default()
+    }
+
+    /// The multiplicative inverse of a nonzero residue, by Fermat.
+    fn inverse(value: u64) -> u64 {
+        PrimeField.power_u64(value, PRIME - 2)
+    }
+
+    fn power_u64(self, mut base: u64, mut exponent: u64) -> u64 {
+        let mut result = 1;
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = self.multiply(&result, &base);
+            }
+            base = self.multiply(&base, &base);
+            exponent >>= 1;
+        }
+        result
+    }
+}
+
+impl Domain for PrimeField {
+    type Element = u64;
+
+    fn rational(&self, value: &BigRational) -> Option<u64> {
+        self.divide(
+            &PrimeField::residue(value.numer()),
+            &PrimeField::residue(value.denom()),
+        )
+    }
+    fn integer(&self, value: i64) -> u64 {
+        value.rem_euclid(PRIME as i64) as u64
+    }
+    fn is_zero(&self, element: &u64) -> bool {
+        *element == 0
+    }
+    fn add(&self, left: &u64, right: &u64) -> u64 {
+        let sum = left + right;
+        if sum >= PRIME { sum - PRIME } else { sum }
+    }
+    fn subtract(&self, left: &u64, right: &u64) -> u64 {
+        if left >= right {
+            left - right
+        } else {
+            left + PRIME - right
+        }
+    }
+    fn multiply(&self, left: &u64, right: &u64) -> u64 {
+        let product = u128::from(*left) * u128::from(*right);
+        let folded = (product as u64 & PRIME) + (product >> 61) as u64;
+        if folded >= PRIME {
+            folded - PRIME
+        } else {
+            folded
+        }
+    }
+    fn divide(&self, left: &u64, right: &u64) -> Option<u64> {
+        (*right != 0).then(|| self.multiply(left, &PrimeField::inverse(*right)))
+    }
+    fn negate(&self, element: &u64) -> u64 {
+        self.subtract(&0, element)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_prime_field_is_one() {
+        let field = PrimeField;
+        for a in [1, 2, 12345, PRIME - 1, PRIME / 2] {
+            assert_eq!(field.divide(&a, &a), Some(1));
+            assert_eq!(field.add(&a, &field.negate(&a)), 0);
+            assert_eq!(field.multiply(&a, &(PRIME - 1)), field.negate(&a));
+            assert_eq!(field.power(&a, 5), Some(field.power_u64(a, 5)));
+        }
+        assert_eq!(field.divide(&1, &0), None);
+        assert_eq!(field.integer(-1), PRIME - 1);
+        let minus_half = BigRational::new(BigInt::from(-1), BigInt::from(2));
+        let image = field.rational(&minus_half).unwrap();
+        assert_eq!(field.multiply(&image, &field.integer(-2)), 1);
+    }
+}

@@ -1,0 +1,9 @@
+//! The field's mathematics on exact matrices, one concept a file.
+//!
+//! Everything here is generic over a [`Domain`](crate::domain::Domain) and knows no document.
+
+pub mod arithmetic;
+pub mod characteristic;
+pub mod determinant;
+pub mod hurwitz;
+pub mod linear;
