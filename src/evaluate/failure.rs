@@ -1,0 +1,108 @@
+//! Why an expression has no value.
+
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::span::Span;
+
+/// An evaluation that came to nothing, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Why.
+    pub kind: FailureKind,
+    /// Where.
+    pub span: Span,
+}
+
+/// Why an expression has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FailureKind {
+    /// Shapes that do not fit.
+    Shape {
+        /// What was being done.
+        operation: String,
+        /// The left operand.
+        left: String,
+        /// The right operand.
+        right: String,
+    },
+    /// A divisor that is zero identically.
+    DivisionByZero,
+    /// An exponent or index that is no integer or too large.
+    Exponent {
+        /// As printed.
+        exponent: String,
+        /// The limit.
+        limit: u32,
+    },
+    /// A member of a family, or an entry, that does not exist.
+    Outside {
+        /// The name with its indices' values.
+        name: String,
+    },
+    /// A name with two meanings.
+    Ambiguous {
+        /// The name.
+        name: String,
+    },
+    /// A name without a meaning.
+    Undeclared {
+        /// The name.
+        name: String,
+    },
+    /// An equation to be solved that is not linear in its unknowns.
+    NotLinear,
+    /// An equation to be solved with more than one solution.
+    Underdetermined,
+    /// An equation to be solved with no solution.
+    Inconsistent,
+    /// A limit was hit.
+    Budget {
+        /// Of what.
+        what: String,
+    },
+    /// Outside of what is decided here.
+    Unsupported {
+        /// What.
+        what: String,
+    },
+}
+
+impl Failure {
+    /// A failure at a place.
+    pub fn new(kind: FailureKind, span: Span) -> Self {
+        Failure { kind, span }
+    }
+
+    /// A failure because something lies outside of what is decided.
+    pub fn unsupported(what: &str, span: Span) -> Self {
+        Failure::new(FailureKind::Unsupported { what: what.into() }, span)
+    }
+
+    /// The diagnostic for a failure that makes a document unusable; `None` for one that only
+    /// leaves a claim undecided (a limit, something unsupported) or refutes it (an index outside).
+    pub fn diagnostic(&self) -> Option<Diagnostic> {
+        let kind = match self.kind.clone() {
+            FailureKind::Shape {
+                operation,
+                left,
+                right,
+            } => DiagnosticKind::ShapeMismatch {
+                operation,
+                left,
+                right,
+            },
+            FailureKind::DivisionByZero => DiagnosticKind::DivisionByZero,
+            FailureKind::Exponent { exponent, limit } => {
+                DiagnosticKind::Exponent { exponent, limit }
+            }
+            FailureKind::Ambiguous { name } => DiagnosticKind::Ambiguous {
+                readings: vec![
+                    format!("{name} with one index"),
+                    format!("{name} with an index for each digit"),
+                ],
+            },
+            FailureKind::Undeclared { name } => DiagnosticKind::UndeclaredName { name },
+            _ => return None,
+        };
+        Some(Diagnostic::new(kind, self.span))
+    }
+}

@@ -1,0 +1,535 @@
+//! Expressions to exact values: the only bridge between the syntax tree and the polynomial engine.
+//!
+//! An [`Evaluator`] runs over any [`Domain`]. Values of names are computed once and kept with the
+//! conditions under which they exist: every divisor is recorded before anything cancels.
+//! Abbreviations (scalars defined by arithmetic on declared symbols) stay letters; inserting their
+//! definitions is the checker's business.
+
+mod failure;
+mod nodes;
+mod solve;
+pub mod value;
+
+pub use failure::{Failure, FailureKind};
+pub use value::Value;
+
+use crate::domain::Domain;
+use crate::expr::{Display, Expr, ExprKind, Function, Name, Sign};
+use crate::model::names::Resolved;
+use crate::model::{Model, Node};
+use crate::span::Span;
+use crate::theory::{arithmetic, determinant};
+use num_traits::ToPrimitive;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The largest exponent that is evaluated.
+pub const LARGEST_EXPONENT: u32 = 1000;
+/// The largest number of terms that a sum with running index is evaluated for.
+const LARGEST_RANGE: i64 = 10_000;
+/// The largest product of two operands' sizes (terms) that is multiplied out.
+const LARGEST_PRODUCT: usize = 20_000_000;
+
+/// A divisor that must not vanish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition<E> {
+    /// What must not be zero.
+    pub divisor: E,
+    /// Why.
+    pub origin: Origin,
+}
+
+/// Why something must not be zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// It is divided by here.
+    Divisor(Span),
+    /// It is the determinant of the linear system that this equation poses (an index into the
+    /// model's equations).
+    Determinant(usize),
+}
+
+/// What names a value: a node, its indices and how often it is differentiated.
+pub type Key = (Node, Vec<i64>, u8);
+
+/// A value with the conditions under which it exists.
+#[derive(Clone, Debug)]
+struct Known<E> {
+    value: Value<E>,
+    conditions: Vec<Condition<E>>,
+}
+
+/// Where a value may come from other than the document's own equations.
+pub type Provider<'p, E> = dyn FnMut(&Key) -> Option<Result<Value<E>, Failure>> + 'p;
+
+/// Evaluates the expressions of a model over a field.
+pub struct Evaluator<'m, D: Domain> {
+    /// The field.
+    pub field: D,
+    /// Conditions met since the caller last looked.
+    pub conditions: Vec<Condition<D::Element>>,
+    /// Reads a family's members outside its range as zero instead of refusing them.
+    pub lenient: bool,
+    /// Keeps abbreviations as letters.
+    pub keep_abbreviations: bool,
+    model: &'m Model,
+    letters: Vec<D::Element>,
+    corrected: BTreeMap<usize, Display>,
+    known: BTreeMap<Key, Known<D::Element>>,
+    open: BTreeSet<Key>,
+    trial: BTreeMap<(usize, usize), Value<D::Element>>,
+    bound: Vec<(String, i64)>,
+    provider: Option<Box<Provider<'m, D::Element>>>,
+}
+
+impl<'m, D: Domain> Evaluator<'m, D> {
+    /// An evaluator with a value for each letter of the model's ring.
+    ///
+    /// # Panics
+    /// When there is not one value for each letter: a programming error.
+    pub fn new(model: &'m Model, field: D, letters: Vec<D::Element>) -> Self {
+        assert_eq!(letters.len(), model.letters.len(), "one value per letter");
+        Evaluator {
+            field,
+            conditions: Vec::new(),
+            lenient: false,
+            keep_abbreviations: true,
+            model,
+            letters,
+            corrected: BTreeMap::new(),
+            known: BTreeMap::new(),
+            open: BTreeSet::new(),
+            trial: BTreeMap::new(),
+            bound: Vec::new(),
+            provider: None,
+        }
+    }
+
+    /// Takes the values of names from `provider` where it has them.
+    pub fn with_provider(mut self, provider: Box<Provider<'m, D::Element>>) -> Self {
+        self.provider = Some(provider);
+        self
+    }
+
+    /// Uses a corrected display in place of an equation's printed one.
+    pub fn correct(&mut self, equation: usize, display: Display) {
+        self.corrected.insert(equation, display);
+        self.known.clear();
+    }
+
+    /// The display that an equation is evaluated from.
+    pub fn display(&self, equation: usize) -> &Display {
+        self.corrected
+            .get(&equation)
+            .unwrap_or(&self.model.equations[equation].display)
+    }
+
+    /// The model.
+    pub fn model(&self) -> &'m Model {
+        self.model
+    }
+
+    /// The corrected displays, by equation.
+    pub fn corrections(&self) -> impl Iterator<Item = (&usize, &Display)> {
+        self.corrected.iter()
+    }
+
+    /// The value of a node.
+    ///
+    /// # Errors
+    /// A [`Failure`] with its place, `span` where it has none of its own.
+    pub fn value_of(&mut self, key: Key, span: Span) -> Result<Value<D::Element>, Failure> {
+        self.node(key, span)
+    }
+
+    /// Runs `body` with these indices bound.
+    pub fn with_indices<T>(
+        &mut self,
+        indices: &[(String, i64)],
+        body: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let before = self.bound.len();
+        self.bound.extend(indices.iter().cloned());
+        let result = body(self);
+        self.bound.truncate(before);
+        result
+    }
+
+    /// Runs `body` with an index bound to a value.
+    pub fn with_bound<T>(
+        &mut self,
+        index: &str,
+        value: i64,
+        body: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        self.bound.push((index.to_string(), value));
+        let result = body(self);
+        self.bound.pop();
+        result
+    }
+
+    fn bound_value(&self, name: &str) -> Option<i64> {
+        self.bound
+            .iter()
+            .rev()
+            .find(|(n, _)| n == name)
+            .map(|(_, v)| *v)
+    }
+
+    /// The value of an expression.
+    ///
+    /// # Errors
+    /// A [`Failure`] with its place.
+    pub fn expression(&mut self, expr: &Expr) -> Result<Value<D::Element>, Failure> {
+        let span = expr.span;
+        match &expr.kind {
+            ExprKind::Number(number) => self
+                .field
+                .rational(number)
+                .map(Value::Scalar)
+                .ok_or_else(|| Failure::new(FailureKind::DivisionByZero, span)),
+            ExprKind::Name(name) => self.name(name, span),
+            ExprKind::Apply {
+                function,
+                arguments,
+            } => self.apply(function, arguments, span),
+            ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } => {
+                self.expression(inner)
+            }
+            ExprKind::Sum(terms) => self.sum(terms, span),
+            ExprKind::Product(factors) => {
+                let mut product: Option<Value<D::Element>> = None;
+                for factor in factors {
+                    let value = self.expression(factor)?;
+                    product = Some(match product {
+                        None => value,
+                        Some(p) => self.multiply(&p, &value, p_span(factors, factor))?,
+                    });
+                }
+                product.ok_or_else(|| Failure::unsupported("an empty product", span))
+            }
+            ExprKind::Quotient {
+                numerator,
+                denominator,
+                ..
+            } => self.quotient(numerator, denominator),
+            ExprKind::Power { base, exponent } => self.power(base, exponent, span),
+            ExprKind::Transpose(inner) => Ok(match self.expression(inner)? {
+                Value::Matrix(m) => Value::Matrix(m.transpose()),
+                other => other,
+            }),
+            ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
+            ExprKind::Call { function, argument } => self.call(*function, argument, span),
+            ExprKind::BigSum {
+                index,
+                from,
+                to,
+                body,
+            } => {
+                let (from, to) = (self.integer(from)?, self.integer(to)?);
+                if to.saturating_sub(from) > LARGEST_RANGE {
+                    return Err(Failure::new(
+                        FailureKind::Budget {
+                            what: "terms of a sum".into(),
+                        },
+                        span,
+                    ));
+                }
+                let index = crate::latex::canonical(index);
+                let mut sum = Value::Zero;
+                for k in from..=to {
+                    let term = self.with_bound(&index, k, |e| e.expression(body))?;
+                    sum = value::add(&self.field, &sum, &term, body.span)?;
+                }
+                Ok(match sum {
+                    Value::Zero if from > to => Value::Scalar(self.field.integer(0)),
+                    sum => sum,
+                })
+            }
+            ExprKind::Derivative {
+                order,
+                variable: None,
+                body,
+            } => {
+                let value = self.expression(body)?;
+                self.differentiate(value, *order, span)
+            }
+            ExprKind::Named { .. } => Err(Failure::unsupported("an argument by name", span)),
+            ExprKind::Tuple(_) => Err(Failure::unsupported("a tuple", span)),
+            ExprKind::Integral { .. } => Err(Failure::unsupported("an integral", span)),
+            ExprKind::Derivative { .. } => Err(Failure::unsupported(
+                "a derivative by a named variable",
+                span,
+            )),
+            ExprKind::Expectation(_) => Err(Failure::unsupported("an expectation", span)),
+            ExprKind::Cases(_) => Err(Failure::unsupported("a definition by cases", span)),
+            ExprKind::Infinity => Err(Failure::unsupported("infinity", span)),
+            ExprKind::Constant => Err(Failure::unsupported("an unnamed constant", span)),
+        }
+    }
+
+    /// The integer that an index or exponent evaluates to.
+    ///
+    /// # Errors
+    /// When it is no integer.
+    pub fn integer(&mut self, expr: &Expr) -> Result<i64, Failure> {
+        let fail = || {
+            Failure::new(
+                FailureKind::Exponent {
+                    exponent: crate::latex::write_expr(expr),
+                    limit: LARGEST_EXPONENT,
+                },
+                expr.span,
+            )
+        };
+        match &expr.kind {
+            ExprKind::Number(n) if n.is_integer() => n.to_integer().to_i64().ok_or_else(fail),
+            ExprKind::Name(name) => self
+                .bound_value(&crate::latex::canonical(name))
+                .ok_or_else(fail),
+            ExprKind::Group { inner, .. } => self.integer(inner),
+            ExprKind::Sum(terms) => {
+                let mut sum = 0i64;
+                for (sign, term) in terms {
+                    let value = self.integer(term)?;
+                    sum = match sign {
+                        Sign::Plus => sum.checked_add(value),
+                        Sign::Minus => sum.checked_sub(value),
+                    }
+                    .ok_or_else(fail)?;
+                }
+                Ok(sum)
+            }
+            ExprKind::Product(factors) => {
+                let mut product = 1i64;
+                for factor in factors {
+                    product = product
+                        .checked_mul(self.integer(factor)?)
+                        .ok_or_else(fail)?;
+                }
+                Ok(product)
+            }
+            ExprKind::Power { base, exponent } => {
+                let base = self.integer(base)?;
+                u32::try_from(self.integer(exponent)?)
+                    .ok()
+                    .and_then(|e| base.checked_pow(e))
+                    .ok_or_else(fail)
+            }
+            _ => Err(fail()),
+        }
+    }
+
+    fn name(&mut self, name: &Name, span: Span) -> Result<Value<D::Element>, Failure> {
+        let model = self.model;
+        let bound: Vec<String> = self.bound.iter().map(|(n, _)| n.clone()).collect();
+        let resolved = model
+            .resolve(name, &|n| bound.iter().any(|b| b == n))
+            .map_err(|_| {
+                let name = crate::latex::canonical(name);
+                if model.has_power_of(&name) {
+                    Failure::unsupported("a name of which only a power is defined", span)
+                } else {
+                    Failure::new(FailureKind::Undeclared { name }, span)
+                }
+            })?;
+        match resolved {
+            Resolved::Bound(index) => self
+                .bound_value(&index)
+                .map(|v| Value::Scalar(self.field.integer(v)))
+                .ok_or_else(|| Failure::new(FailureKind::Undeclared { name: index }, span)),
+            Resolved::Letter { symbol, order } => self.symbol(symbol, order, span),
+            Resolved::Node { node, derivatives } => {
+                self.node((node, Vec::new(), derivatives), span)
+            }
+            Resolved::Indexed { key, indices } => {
+                let mut values = Vec::with_capacity(indices.len());
+                for index in indices {
+                    values.push(self.integer(index)?);
+                }
+                self.element(&key, &values, span)
+            }
+        }
+    }
+
+    fn sum(&mut self, terms: &[(Sign, Expr)], span: Span) -> Result<Value<D::Element>, Failure> {
+        let mut sum: Option<Value<D::Element>> = None;
+        for (sign, term) in terms {
+            let value = self.expression(term)?;
+            sum = Some(match (sum, sign) {
+                (None, Sign::Plus) => value,
+                (None, Sign::Minus) => value::negate(&self.field, &value),
+                (Some(s), Sign::Plus) => value::add(&self.field, &s, &value, term.span)?,
+                (Some(s), Sign::Minus) => value::subtract(&self.field, &s, &value, term.span)?,
+            });
+        }
+        sum.ok_or_else(|| Failure::unsupported("an empty sum", span))
+    }
+
+    fn multiply(
+        &self,
+        left: &Value<D::Element>,
+        right: &Value<D::Element>,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let largest = |v: &Value<D::Element>| {
+            v.entries()
+                .iter()
+                .map(|e| self.field.size(e))
+                .max()
+                .unwrap_or(0)
+        };
+        if largest(left).saturating_mul(largest(right)) > LARGEST_PRODUCT {
+            return Err(Failure::new(
+                FailureKind::Budget {
+                    what: "terms of a product".into(),
+                },
+                span,
+            ));
+        }
+        value::multiply(&self.field, left, right, span)
+    }
+
+    fn quotient(
+        &mut self,
+        numerator: &Expr,
+        denominator: &Expr,
+    ) -> Result<Value<D::Element>, Failure> {
+        let span = denominator.span;
+        let top = self.expression(numerator)?;
+        let Value::Scalar(divisor) = self.expression(denominator)? else {
+            return Err(Failure::unsupported("division by a matrix", span));
+        };
+        let inverse = self.reciprocal(&divisor, span)?;
+        self.multiply(&Value::Scalar(inverse), &top, span)
+    }
+
+    /// 1/divisor, with its condition.
+    fn reciprocal(&mut self, divisor: &D::Element, span: Span) -> Result<D::Element, Failure> {
+        let inverse = self
+            .field
+            .divide(&self.field.integer(1), divisor)
+            .ok_or_else(|| Failure::new(FailureKind::DivisionByZero, span))?;
+        self.conditions.push(Condition {
+            divisor: divisor.clone(),
+            origin: Origin::Divisor(span),
+        });
+        Ok(inverse)
+    }
+
+    fn power(
+        &mut self,
+        base: &Expr,
+        exponent: &Expr,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let too_large = || {
+            Failure::new(
+                FailureKind::Exponent {
+                    exponent: crate::latex::write_expr(exponent),
+                    limit: LARGEST_EXPONENT,
+                },
+                exponent.span,
+            )
+        };
+        let n = self.integer(exponent)?;
+        let magnitude = u32::try_from(n.unsigned_abs())
+            .ok()
+            .filter(|m| *m <= LARGEST_EXPONENT)
+            .ok_or_else(too_large)?;
+        if let (ExprKind::Name(name), true) = (&base.kind, n > 0)
+            && let Some((node, rest)) = self.model.power_node(name, magnitude)
+        {
+            return match self.node((node, Vec::new(), 0), span)? {
+                Value::Scalar(s) => self
+                    .field
+                    .power(&s, rest)
+                    .map(Value::Scalar)
+                    .ok_or_else(too_large),
+                other => Ok(other),
+            };
+        }
+        match self.expression(base)? {
+            Value::Scalar(s) => {
+                let s = if n < 0 { self.reciprocal(&s, span)? } else { s };
+                self.field
+                    .power(&s, magnitude)
+                    .map(Value::Scalar)
+                    .ok_or_else(|| {
+                        Failure::new(
+                            FailureKind::Budget {
+                                what: "terms of a power".into(),
+                            },
+                            span,
+                        )
+                    })
+            }
+            Value::Matrix(m) => {
+                if !m.is_square() {
+                    let text = Value::Matrix(m).shape_text();
+                    return Err(Failure::new(
+                        FailureKind::Shape {
+                            operation: "power".into(),
+                            left: text.clone(),
+                            right: text,
+                        },
+                        span,
+                    ));
+                }
+                let factor = if n < 0 {
+                    if let Some(det) = determinant::determinant(&self.field, &m) {
+                        self.reciprocal(&det, span)?;
+                    }
+                    value::invert(&self.field, &m, span)?
+                } else {
+                    m
+                };
+                let mut product = arithmetic::identity(&self.field, factor.rows());
+                for _ in 0..magnitude {
+                    product = arithmetic::multiply(&self.field, &product, &factor)
+                        .ok_or_else(too_large)?;
+                }
+                Ok(Value::from_matrix(product))
+            }
+            Value::Zero => Ok(Value::Zero),
+        }
+    }
+
+    fn call(
+        &mut self,
+        function: Function,
+        argument: &Expr,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let value = self.expression(argument)?;
+        let matrix = match &value {
+            Value::Matrix(m) => m.clone(),
+            Value::Scalar(s) => crate::matrix::Matrix::from_fn(1, 1, |_, _| s.clone()),
+            Value::Zero => return Err(Failure::unsupported("a function of a bare zero", span)),
+        };
+        let result = match function {
+            Function::Determinant => determinant::determinant(&self.field, &matrix),
+            Function::Trace => arithmetic::trace(&self.field, &matrix),
+            _ => {
+                return Err(Failure::unsupported(
+                    "a function other than det and tr",
+                    span,
+                ));
+            }
+        };
+        result.map(Value::Scalar).ok_or_else(|| {
+            Failure::new(
+                FailureKind::Shape {
+                    operation: "determinant or trace".into(),
+                    left: value.shape_text(),
+                    right: "square".into(),
+                },
+                span,
+            )
+        })
+    }
+}
+
+/// The place of a product up to and including a factor.
+fn p_span(factors: &[Expr], last: &Expr) -> Span {
+    factors.first().map_or(last.span, |f| f.span.to(last.span))
+}

@@ -1,0 +1,423 @@
+//! The values of names: symbols, definitions, families, notation, and their time derivatives.
+
+use super::{Evaluator, Failure, FailureKind, Key, Known, Value};
+use crate::domain::Domain;
+use crate::expr::{Expr, Name};
+use crate::matrix::Matrix;
+use crate::model::names::{Element, FamilyKey};
+use crate::model::{DefinitionKind, Letter, Node, NotationKind};
+use crate::span::Span;
+use crate::theory::{arithmetic, characteristic, determinant, hurwitz};
+
+impl<D: Domain> Evaluator<'_, D> {
+    /// The value of a symbol's time derivative of an order.
+    pub(super) fn symbol(
+        &mut self,
+        symbol: usize,
+        order: u8,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        // A constant has the derivative zero; a process has a letter for each order in use.
+        if order > 0 && self.model.symbols[symbol].function_of.is_none() {
+            return Ok(Value::Scalar(self.field.integer(0)));
+        }
+        self.model
+            .letter_of_symbol(symbol, order)
+            .map(|letter| Value::Scalar(self.letters[letter].clone()))
+            .ok_or_else(|| Failure::unsupported("a time derivative of so high an order", span))
+    }
+
+    /// A process applied to the letter it is a function of is the process itself.
+    pub(super) fn apply(
+        &mut self,
+        function: &Name,
+        arguments: &[Expr],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let plain = arguments.iter().all(|a| {
+            matches!(&a.kind, crate::expr::ExprKind::Name(n)
+                if self.model.is_argument_of(function, &crate::latex::canonical(n)))
+        });
+        if plain {
+            self.name(function, span)
+        } else {
+            Err(Failure::unsupported("a function at another argument", span))
+        }
+    }
+
+    /// The value of a node, computed once.
+    pub(super) fn node(&mut self, key: Key, span: Span) -> Result<Value<D::Element>, Failure> {
+        if let Node::Unknown { system, position } = key.0
+            && key.2 == 0
+            && let Some(value) = self.trial.get(&(system, position))
+        {
+            return Ok(value.clone());
+        }
+        if let Node::Definition(d) = key.0
+            && self.keep_abbreviations
+            && let Some(letter) = self.model.definitions[d].letter
+        {
+            return Ok(Value::Scalar(if key.2 == 0 {
+                self.letters[letter].clone()
+            } else {
+                self.field.integer(0)
+            }));
+        }
+        if let Some(known) = self.known.get(&key) {
+            for condition in &known.conditions {
+                if !self.conditions.contains(condition) {
+                    self.conditions.push(condition.clone());
+                }
+            }
+            return Ok(known.value.clone());
+        }
+        if let Some(mut provider) = self.provider.take() {
+            let provided = provider(&key);
+            self.provider = Some(provider);
+            if let Some(result) = provided {
+                let value = result?;
+                self.remember(key, value.clone(), 0);
+                return Ok(value);
+            }
+        }
+        if !self.open.insert(key.clone()) {
+            return Err(Failure::unsupported("a definition that needs itself", span));
+        }
+        let before = self.conditions.len();
+        let outer = std::mem::take(&mut self.bound);
+        let result = self.compute(&key, span);
+        self.bound = outer;
+        self.open.remove(&key);
+        let value = result?;
+        self.remember(key, value.clone(), before);
+        Ok(value)
+    }
+
+    fn remember(&mut self, key: Key, value: Value<D::Element>, conditions_from: usize) {
+        // While unknowns hold trial values nothing computed from them may outlive the trial.
+        if self.trial.is_empty() {
+            let conditions = self.conditions.get(conditions_from..).unwrap_or_default();
+            self.known.insert(
+                key,
+                Known {
+                    value,
+                    conditions: conditions.to_vec(),
+                },
+            );
+        }
+    }
+
+    fn compute(&mut self, key: &Key, span: Span) -> Result<Value<D::Element>, Failure> {
+        let (node, indices, derivatives) = key;
+        if *derivatives > 0 {
+            let value = self.node((*node, indices.clone(), derivatives - 1), span)?;
+            return self.differentiate(value, 1, span);
+        }
+        match node {
+            Node::Symbol(symbol) => self.symbol(*symbol, 0, span),
+            Node::Definition(d) => {
+                let model = self.model;
+                let definition = &model.definitions[*d];
+                if let DefinitionKind::Family { indices: names, .. } = &definition.kind {
+                    self.bound = names.iter().cloned().zip(indices.iter().copied()).collect();
+                }
+                let expr = definition
+                    .place
+                    .find(self.display(definition.equation))
+                    .cloned();
+                match expr {
+                    Some(expr) => self.expression(&expr),
+                    None => Err(Failure::unsupported("a definition without a value", span)),
+                }
+            }
+            Node::Unknown { system, position } => {
+                let values = self.solve(*system, span)?;
+                Ok(values[*position].clone())
+            }
+            Node::Notation(n) => self.notation(*n, indices, span),
+        }
+    }
+
+    /// The value of a member of a family or an entry of a matrix.
+    pub(super) fn element(
+        &mut self,
+        key: &FamilyKey,
+        indices: &[i64],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let mut existing = Vec::new();
+        for element in self.model.elements(key, indices) {
+            let value = match element {
+                Element::Node(node) => self.node((node, Vec::new(), 0), span),
+                Element::Member(node, indices) => self.node((node, indices, 0), span),
+                Element::Entry(node, indices) => self
+                    .node((node, Vec::new(), 0), span)
+                    .and_then(|value| self.entry(&value, key, &indices, span)),
+            };
+            match value {
+                Err(Failure {
+                    kind: FailureKind::Outside { .. },
+                    ..
+                }) => {}
+                other => existing.push(other?),
+            }
+        }
+        match existing.len() {
+            0 if self.lenient => Ok(Value::Zero),
+            0 => self.outside(key, indices, span),
+            1 => Ok(existing.remove(0)),
+            _ => Err(Failure::new(
+                FailureKind::Ambiguous {
+                    name: element_name(key, indices),
+                },
+                span,
+            )),
+        }
+    }
+
+    fn outside(
+        &self,
+        key: &str,
+        indices: &[i64],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        Err(Failure::new(
+            FailureKind::Outside {
+                name: element_name(key, indices),
+            },
+            span,
+        ))
+    }
+
+    fn entry(
+        &self,
+        value: &Value<D::Element>,
+        key: &str,
+        indices: &[i64],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let at = |k: i64| usize::try_from(k - 1).ok();
+        let (rows, columns) = value.shape().unwrap_or((0, 0));
+        let place = match indices {
+            [i, j] => at(*i).zip(at(*j)),
+            [i] if columns == 1 => at(*i).map(|i| (i, 0)),
+            [j] if rows == 1 => at(*j).map(|j| (0, j)),
+            _ => None,
+        };
+        match (value, place) {
+            (Value::Matrix(m), Some((i, j))) if i < rows && j < columns => {
+                Ok(Value::Scalar(m[(i, j)].clone()))
+            }
+            (Value::Scalar(s), Some((0, 0))) => Ok(Value::Scalar(s.clone())),
+            _ => self.outside(key, indices, span),
+        }
+    }
+
+    fn notation(
+        &mut self,
+        index: usize,
+        indices: &[i64],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let model = self.model;
+        let notation = &model.notation[index];
+        let key = crate::model::names::family_key(&notation.name);
+        let square = |value: Value<D::Element>| match value {
+            Value::Matrix(m) if m.is_square() => Ok(m),
+            Value::Scalar(s) => Ok(Matrix::from_fn(1, 1, |_, _| s.clone())),
+            other => Err(Failure::new(
+                FailureKind::Shape {
+                    operation: "determinant".into(),
+                    left: other.shape_text(),
+                    right: "square".into(),
+                },
+                span,
+            )),
+        };
+        let target = match notation.kind.target() {
+            Some(expr) => self.expression(expr)?,
+            None => Value::Zero,
+        };
+        let result = match &notation.kind {
+            NotationKind::Identity(n) => {
+                Some(Value::from_matrix(arithmetic::identity(&self.field, *n)))
+            }
+            NotationKind::Zero => Some(Value::Zero),
+            NotationKind::Means(_) => Some(target),
+            NotationKind::Entry(_) => return self.entry(&target, &key, indices, span),
+            NotationKind::CharacteristicCoefficient(_) => {
+                let coefficients =
+                    characteristic::characteristic_coefficients(&self.field, &square(target)?);
+                // Beyond the degree a polynomial's coefficients are zero.
+                coefficients.zip(indices.first()).and_then(|(c, i)| {
+                    let i = usize::try_from(*i).ok()?;
+                    Some(Value::Scalar(
+                        c.get(i).cloned().unwrap_or_else(|| self.field.integer(0)),
+                    ))
+                })
+            }
+            NotationKind::HurwitzMatrix(_) => {
+                characteristic::characteristic_coefficients(&self.field, &square(target)?)
+                    .and_then(|c| hurwitz::hurwitz_matrix(&self.field, &c))
+                    .map(Value::from_matrix)
+            }
+            NotationKind::Cofactor(_) => {
+                let matrix = square(target)?;
+                match indices {
+                    [i, j] => usize::try_from(i - 1)
+                        .ok()
+                        .zip(usize::try_from(j - 1).ok())
+                        .and_then(|(i, j)| determinant::cofactor(&self.field, &matrix, i, j))
+                        .map(Value::Scalar),
+                    _ => None,
+                }
+            }
+            NotationKind::LeadingMinor(_) => {
+                let matrix = square(target)?;
+                indices
+                    .first()
+                    .and_then(|n| usize::try_from(*n).ok())
+                    .filter(|n| (1..=matrix.rows()).contains(n))
+                    .and_then(|n| determinant::determinant(&self.field, &matrix.leading(n)))
+                    .map(Value::Scalar)
+            }
+        };
+        match result {
+            Some(value) => Ok(value),
+            None => self.outside(&key, indices, span),
+        }
+    }
+
+    /// The total time derivative: every process letter is differentiated, and where the document
+    /// determines a derivative (an equation of motion) its value is inserted.
+    pub(super) fn differentiate(
+        &mut self,
+        value: Value<D::Element>,
+        order: u8,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let mut value = value;
+        for _ in 0..order {
+            let mut rates: std::collections::BTreeMap<usize, D::Element> =
+                std::collections::BTreeMap::new();
+            value = value.try_map(|entry| {
+                let partials = self.field.partial_derivatives(entry).ok_or_else(|| {
+                    Failure::unsupported("a time derivative over this field", span)
+                })?;
+                let mut sum = self.field.integer(0);
+                for (letter, partial) in partials {
+                    let rate = match rates.get(&letter) {
+                        Some(rate) => rate.clone(),
+                        None => {
+                            let rate = self.rate(letter, span)?;
+                            rates.insert(letter, rate.clone());
+                            rate
+                        }
+                    };
+                    sum = self.field.add(&sum, &self.field.multiply(&partial, &rate));
+                }
+                Ok::<_, Failure>(sum)
+            })?;
+        }
+        Ok(value)
+    }
+
+    fn rate(&mut self, letter: usize, span: Span) -> Result<D::Element, Failure> {
+        let model = self.model;
+        match model.letters[letter] {
+            Letter::Abbreviation { .. } => Ok(self.field.integer(0)),
+            Letter::Symbol { symbol, .. } if model.symbols[symbol].function_of.is_none() => {
+                Ok(self.field.integer(0))
+            }
+            Letter::Symbol { .. } => {
+                let mut name = model.letter_name(letter);
+                name.dots += 1;
+                match self.name(&name, span)? {
+                    Value::Scalar(s) => Ok(s),
+                    _ => Err(Failure::unsupported("a derivative that is no scalar", span)),
+                }
+            }
+        }
+    }
+
+    pub(super) fn matrix(
+        &mut self,
+        rows: &[Vec<Expr>],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let mut blocks = Vec::with_capacity(rows.len());
+        for row in rows {
+            let mut values = Vec::with_capacity(row.len());
+            for entry in row {
+                values.push((self.expression(entry)?, entry.span));
+            }
+            blocks.push(values);
+        }
+        let misfit = |at: Span, left: String, right: String| {
+            Failure::new(
+                FailureKind::Shape {
+                    operation: "matrix block".into(),
+                    left,
+                    right,
+                },
+                at,
+            )
+        };
+        let columns = blocks.first().map_or(0, Vec::len);
+        if let Some(row) = blocks.iter().find(|row| row.len() != columns) {
+            let at = row.last().map_or(span, |(_, at)| *at);
+            return Err(misfit(
+                at,
+                format!("{columns} columns"),
+                format!("{} columns", row.len()),
+            ));
+        }
+        // Heights and widths of the blocks; a zero of any shape takes what its neighbours need.
+        let height = |i: usize| {
+            blocks[i]
+                .iter()
+                .find_map(|(v, _)| v.shape())
+                .map_or(1, |s| s.0)
+        };
+        let width = |j: usize| {
+            blocks
+                .iter()
+                .find_map(|row| row[j].0.shape())
+                .map_or(1, |s| s.1)
+        };
+        let mut entries = Vec::new();
+        for (i, row) in blocks.iter().enumerate() {
+            for r in 0..height(i) {
+                let mut line = Vec::new();
+                for (j, (value, at)) in row.iter().enumerate() {
+                    let expected = (height(i), width(j));
+                    for c in 0..expected.1 {
+                        line.push(match value {
+                            Value::Zero => self.field.integer(0),
+                            Value::Scalar(s) if expected == (1, 1) => s.clone(),
+                            Value::Matrix(m) if m.shape() == expected => m[(r, c)].clone(),
+                            Value::Scalar(s) if self.field.is_zero(s) => s.clone(),
+                            other => {
+                                return Err(misfit(
+                                    *at,
+                                    format!("{}x{}", expected.0, expected.1),
+                                    other.shape_text(),
+                                ));
+                            }
+                        });
+                    }
+                }
+                entries.push(line);
+            }
+        }
+        Matrix::from_rows(entries)
+            .map(Value::from_matrix)
+            .ok_or_else(|| misfit(span, "rows".into(), "empty".into()))
+    }
+}
+
+/// `H_{0,1}`, for messages.
+fn element_name(key: &str, indices: &[i64]) -> String {
+    let indices: Vec<String> = indices.iter().map(ToString::to_string).collect();
+    format!("{key}_{{{}}}", indices.join(","))
+}

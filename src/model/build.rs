@@ -1,0 +1,657 @@
+//! From a document to a model: tables first, then every equation's definitions, then its claims;
+//! all errors are collected before any is reported.
+
+use super::links::{self, Place};
+use super::names::{self, Names};
+use super::{
+    Definition, DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind, Role,
+    Symbol, System,
+};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::document::{self, Document};
+use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
+use crate::latex::{self, Signature};
+use crate::span::Span;
+use num_traits::ToPrimitive;
+use ratpoly::{Order, Ring};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How many orders of time derivatives beyond the printed ones have letters of their own: one for
+/// differentiating the equations once, one for restoring a lost dot.
+const SPARE_DERIVATIVES: u8 = 2;
+/// The largest range that an index may be declared to run over.
+const LARGEST_RANGE: i64 = 1000;
+
+impl Model {
+    /// Reads a document as mathematics.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, in the order of the text.
+    pub fn build(document: &Document) -> Result<Model, Vec<Diagnostic>> {
+        let mut builder = Builder::default();
+        builder.symbols(document);
+        let signature = builder.signature(document);
+        builder.notation(document, &signature);
+        builder.equations(document, &signature);
+        builder.definitions();
+        builder.claims();
+        builder.finish(document)
+    }
+}
+
+/// Running indices by canonical name, and their first and last values.
+type Running = (Vec<String>, Vec<(i64, i64)>);
+
+#[derive(Default)]
+struct Builder {
+    report: Vec<Diagnostic>,
+    symbols: Vec<Symbol>,
+    notation: Vec<Notation>,
+    definitions: Vec<Definition>,
+    systems: Vec<System>,
+    equations: Vec<Equation>,
+    names: Names,
+    arguments: BTreeSet<String>,
+    /// Where each name got its meaning, for the second place of a duplicate.
+    places: BTreeMap<String, Span>,
+}
+
+impl Builder {
+    fn error(&mut self, kind: DiagnosticKind, span: Span) {
+        self.report.push(Diagnostic::new(kind, span));
+    }
+
+    fn keep<T>(&mut self, result: Result<T, Vec<Diagnostic>>) -> Option<T> {
+        result
+            .map_err(|mut errors| self.report.append(&mut errors))
+            .ok()
+    }
+
+    fn parse_name(&mut self, text: &document::Text) -> Option<Name> {
+        let result = latex::parse_name(&text.text, text.span.start);
+        self.keep(result)
+    }
+
+    /// Gives a whole name its meaning; a second one is an error.
+    fn bind(&mut self, name: &Name, node: Node, span: Span) {
+        let key = latex::canonical(name);
+        if let Some(first) = self.places.get(&key) {
+            let first = *first;
+            self.report.push(Diagnostic {
+                related: Some(first),
+                ..Diagnostic::new(DiagnosticKind::DuplicateName { name: key }, span)
+            });
+            return;
+        }
+        self.places.insert(key.clone(), span);
+        if let Some(indices) = names::literal_indices(name) {
+            self.names
+                .elements
+                .insert((names::family_key(name), indices), node);
+        }
+        self.names.whole.insert(key, node);
+    }
+
+    fn symbols(&mut self, document: &Document) {
+        for symbol in &document.symbols {
+            let Some(name) = self.parse_name(&symbol.name) else {
+                continue;
+            };
+            let function_of = symbol
+                .function_of
+                .as_ref()
+                .and_then(|text| self.parse_name(text))
+                .inspect(|name| {
+                    self.arguments.insert(latex::canonical(name));
+                });
+            self.bind(&name, Node::Symbol(self.symbols.len()), symbol.name.span);
+            self.symbols.push(Symbol {
+                name,
+                positive: symbol.positive,
+                value: symbol.value.clone(),
+                unit: symbol.unit.as_ref().map(|u| u.text.clone()),
+                meaning: symbol
+                    .meaning
+                    .as_ref()
+                    .map_or_else(String::new, |m| m.text.clone()),
+                function_of,
+            });
+        }
+    }
+
+    fn signature(&mut self, document: &Document) -> Signature {
+        let mut signature = Signature::default();
+        for symbol in &self.symbols {
+            match &symbol.function_of {
+                Some(argument) => {
+                    signature.declare_function(&symbol.name, std::slice::from_ref(argument));
+                }
+                None => signature.declare(&symbol.name),
+            }
+        }
+        for notation in &document.notation {
+            if let Ok(name) = latex::parse_name(&notation.name.text, notation.name.span.start) {
+                signature.declare(&name);
+            }
+        }
+        signature
+    }
+
+    fn notation(&mut self, document: &Document, signature: &Signature) {
+        use document::NotationKind as Written;
+        for entry in &document.notation {
+            let Some(name) = self.parse_name(&entry.name) else {
+                continue;
+            };
+            let mut target = |text: &document::Text| {
+                let result = latex::parse_expr(&text.text, text.span.start, signature);
+                self.keep(result)
+            };
+            let kind = match &entry.kind {
+                Written::Identity(n) => Some(NotationKind::Identity(*n)),
+                Written::Zero => Some(NotationKind::Zero),
+                Written::CharacteristicCoefficientOf(t) => {
+                    target(t).map(NotationKind::CharacteristicCoefficient)
+                }
+                Written::CofactorOf(t) => target(t).map(NotationKind::Cofactor),
+                Written::LeadingMinorOf(t) => target(t).map(NotationKind::LeadingMinor),
+                Written::EntryOf(t) => target(t).map(NotationKind::Entry),
+                Written::Means(t) => target(t).map(NotationKind::Means),
+                Written::HurwitzMatrixOf(t) => target(t).map(NotationKind::HurwitzMatrix),
+            };
+            let Some(kind) = kind else { continue };
+            let node = Node::Notation(self.notation.len());
+            let arity = match kind {
+                NotationKind::CharacteristicCoefficient(_) | NotationKind::LeadingMinor(_) => 1,
+                NotationKind::Cofactor(_) | NotationKind::Entry(_) => 2,
+                _ => 0,
+            };
+            let span = entry.name.span;
+            if arity == 0 {
+                self.bind(&name, node, span);
+            } else {
+                let indices = name.subscript.as_ref().map_or(0, |s| s.indices.len());
+                if indices == arity {
+                    self.bind_family(names::family_key(&name), arity, node, span);
+                } else {
+                    self.error(
+                        DiagnosticKind::Unexpected {
+                            found: format!("{indices} indices"),
+                            expected: format!("{arity}, separated by commas"),
+                        },
+                        span,
+                    );
+                }
+            }
+            self.notation.push(Notation { name, kind });
+        }
+    }
+
+    fn bind_family(&mut self, key: String, arity: usize, node: Node, span: Span) {
+        let shown = format!("{key}_{}", ["", "i", "{i,j}"][arity.min(2)]);
+        if let Some(first) = self.places.insert(shown.clone(), span) {
+            self.report.push(Diagnostic {
+                related: Some(first),
+                ..Diagnostic::new(DiagnosticKind::DuplicateName { name: shown }, span)
+            });
+        }
+        self.names.families.insert((key, arity), node);
+    }
+
+    fn equations(&mut self, document: &Document, signature: &Signature) {
+        for equation in &document.equations {
+            let body = &equation.body;
+            let result = latex::parse_display(&body.text, body.span.start, signature);
+            let Some(display) = self.keep(result) else {
+                continue;
+            };
+            let given = equation
+                .settings
+                .given
+                .iter()
+                .filter_map(|text| self.difference(text, signature))
+                .collect();
+            let role = match &equation.role {
+                document::Role::Define => Role::Define,
+                document::Role::Solve(_) => Role::Solve,
+                document::Role::Claim => Role::Claim,
+                document::Role::Recall => Role::Recall(
+                    equation
+                        .settings
+                        .reason
+                        .as_ref()
+                        .map_or_else(String::new, |r| r.text.clone()),
+                ),
+            };
+            let index = self.equations.len();
+            if let document::Role::Solve(targets) = &equation.role {
+                let unknowns: Vec<Name> =
+                    targets.iter().filter_map(|t| self.parse_name(t)).collect();
+                for (position, (name, text)) in unknowns.iter().zip(targets).enumerate() {
+                    let node = Node::Unknown {
+                        system: self.systems.len(),
+                        position,
+                    };
+                    self.bind(name, node, text.span);
+                }
+                self.systems.push(System {
+                    equation: index,
+                    unknowns,
+                });
+            }
+            let links = links::links(&display);
+            self.equations.push(Equation {
+                label: equation.label.text.clone(),
+                role,
+                source: body.text.clone(),
+                defines: vec![None; links.len()],
+                links,
+                display,
+                settings: equation.settings.clone(),
+                given,
+                span: body.span,
+            });
+        }
+    }
+
+    /// `left = right` as the difference that vanishes.
+    fn difference(&mut self, text: &document::Text, signature: &Signature) -> Option<Expr> {
+        let result = latex::parse_display(&text.text, text.span.start, signature);
+        let display = self.keep(result)?;
+        let members = &display.clauses.first()?.chain.members;
+        match members.as_slice() {
+            [left, right] => Some(Expr::new(
+                ExprKind::Sum(vec![
+                    (Sign::Plus, left.clone()),
+                    (Sign::Minus, right.clone()),
+                ]),
+                text.span,
+            )),
+            _ => {
+                self.error(
+                    DiagnosticKind::Unexpected {
+                        found: text.text.clone(),
+                        expected: "an equation with one equals sign".into(),
+                    },
+                    text.span,
+                );
+                None
+            }
+        }
+    }
+
+    /// The names that `define` blocks and underbraces give values.
+    fn definitions(&mut self) {
+        for e in 0..self.equations.len() {
+            if matches!(self.equations[e].role, Role::Recall(_)) {
+                continue;
+            }
+            for l in 0..self.equations[e].links.len() {
+                let link = self.equations[e].links[l];
+                let starts = matches!(link.left, Place::Member { member: 0, .. });
+                let defining = self.equations[e].role == Role::Define && starts;
+                let labelled = matches!(link.right, Place::Body { .. });
+                if (defining || labelled) && link.relation == Relation::Equal {
+                    self.define(e, l, defining && link.left != link.right);
+                }
+            }
+        }
+    }
+
+    /// The names that a claim's first member gives values, where nothing else does.
+    fn claims(&mut self) {
+        for e in 0..self.equations.len() {
+            if self.equations[e].role != Role::Claim {
+                continue;
+            }
+            for l in 0..self.equations[e].links.len() {
+                let link = self.equations[e].links[l];
+                if matches!(link.left, Place::Member { member: 0, .. })
+                    && link.left != link.right
+                    && link.relation == Relation::Equal
+                {
+                    self.define(e, l, false);
+                }
+            }
+        }
+    }
+
+    /// Makes the left side of a link a definition if it is a name; unless `always`, only when the
+    /// name has no meaning yet.
+    fn define(&mut self, equation: usize, link: usize, always: bool) {
+        let target = self.equations[equation].links[link];
+        let display = self.equations[equation].display.clone();
+        let Some(left) = target.left.find(&display) else {
+            return;
+        };
+        let index = self.definitions.len();
+        let (name, kind) = match &left.kind {
+            ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
+                let ranges = &display.clauses[target.left.clause()].ranges;
+                match self.running_indices(name, ranges) {
+                    Some((indices, ranges)) => {
+                        (name.clone(), DefinitionKind::Family { indices, ranges })
+                    }
+                    None => match names::literal_indices(name) {
+                        Some(values) if self.is_family(name) => {
+                            (name.clone(), DefinitionKind::Element(values))
+                        }
+                        _ => (name.clone(), DefinitionKind::Whole),
+                    },
+                }
+            }
+            ExprKind::Power { base, exponent } => match (&base.kind, &exponent.kind) {
+                (ExprKind::Name(name), ExprKind::Number(n)) if n.is_integer() => {
+                    match n.to_integer().to_u32().filter(|n| *n > 0) {
+                        Some(n) => (name.clone(), DefinitionKind::Power(n)),
+                        None => return,
+                    }
+                }
+                _ => return,
+            },
+            _ => return,
+        };
+        if !always && self.has_meaning(&name, &kind) {
+            return;
+        }
+        let node = Node::Definition(index);
+        match &kind {
+            DefinitionKind::Whole => self.bind(&name, node, left.span),
+            DefinitionKind::Element(values) => {
+                self.names
+                    .elements
+                    .insert((names::family_key(&name), values.clone()), node);
+            }
+            DefinitionKind::Family { indices, .. } => {
+                self.bind_family(names::family_key(&name), indices.len(), node, left.span);
+            }
+            DefinitionKind::Power(n) => {
+                self.names
+                    .powers
+                    .insert((latex::canonical(&name), *n), index);
+            }
+        }
+        self.equations[equation].defines[link] = Some(index);
+        self.definitions.push(Definition {
+            name,
+            kind,
+            equation,
+            place: target.right,
+            letter: None,
+        });
+    }
+
+    fn is_family(&self, name: &Name) -> bool {
+        let key = names::family_key(name);
+        let declared = self.names.families.keys().any(|(k, _)| *k == key);
+        // A family that is defined by a range elsewhere in the document.
+        declared
+            || self.equations.iter().any(|e| {
+                e.role == Role::Define
+                    && e.display.clauses.iter().any(|c| {
+                        !c.ranges.is_empty()
+                            && matches!(&c.chain.members[0].kind,
+                                ExprKind::Name(n) if names::family_key(n) == key)
+                    })
+            })
+    }
+
+    fn has_meaning(&self, name: &Name, kind: &DefinitionKind) -> bool {
+        let mut fewer = name.clone();
+        let whole = (0..=name.dots).any(|dots| {
+            fewer.dots = dots;
+            self.names.whole.contains_key(&latex::canonical(&fewer))
+        });
+        let key = names::family_key(name);
+        let indexed = name.subscript.as_ref().is_some_and(|s| {
+            !s.indices.is_empty()
+                && s.indices
+                    .iter()
+                    .all(|i| names::literal_integer(i).is_some())
+                && (self.names.whole.contains_key(&key)
+                    || self
+                        .names
+                        .families
+                        .keys()
+                        .any(|(k, n)| *k == key && (*n == s.indices.len() || *n == 2)))
+        });
+        let power = match kind {
+            DefinitionKind::Power(n) => {
+                let key = (latex::canonical(name), *n);
+                self.names.powers.contains_key(&key)
+            }
+            DefinitionKind::Family { indices, .. } => {
+                let key = (key, indices.len());
+                self.names.families.contains_key(&key)
+            }
+            _ => false,
+        };
+        whole || indexed || power
+    }
+
+    /// The running indices of a name with their ranges, if it has any.
+    fn running_indices(
+        &mut self,
+        name: &Name,
+        ranges: &[crate::expr::IndexRange],
+    ) -> Option<Running> {
+        let subscript = name.subscript.as_ref()?;
+        let mut indices = Vec::new();
+        let mut bounds = Vec::new();
+        for index in &subscript.indices {
+            let ExprKind::Name(running) = &index.kind else {
+                return None;
+            };
+            let range = ranges.iter().find(|r| r.index == *running)?;
+            bounds.push(self.bounds(range)?);
+            indices.push(latex::canonical(running));
+        }
+        (!indices.is_empty()).then_some((indices, bounds))
+    }
+
+    fn bounds(&mut self, range: &crate::expr::IndexRange) -> Option<(i64, i64)> {
+        let from = names::literal_integer(&range.from);
+        let to = names::literal_integer(&range.to);
+        let step = names::literal_integer(&range.step);
+        match (from, step, to) {
+            (Some(from), Some(1), Some(to)) if from <= to && to - from <= LARGEST_RANGE => {
+                Some((from, to))
+            }
+            _ => {
+                self.error(
+                    DiagnosticKind::Unexpected {
+                        found: "this range".into(),
+                        expected: format!(
+                            "integers in increasing order with step 1, at most {LARGEST_RANGE}"
+                        ),
+                    },
+                    range.from.span.to(range.to.span),
+                );
+                None
+            }
+        }
+    }
+
+    fn finish(self, document: &Document) -> Result<Model, Vec<Diagnostic>> {
+        let mut report = self.report;
+        let letters = letters(&self.symbols, &self.equations);
+        let ring = Ring::new(
+            letters.iter().map(|l| plain_name(&self.symbols, l)),
+            Order::Grevlex,
+        );
+        let mut model = Model {
+            document: document.clone(),
+            symbols: self.symbols,
+            notation: self.notation,
+            definitions: self.definitions,
+            systems: self.systems,
+            equations: self.equations,
+            letters,
+            // An empty ring serves only to report what else is wrong.
+            ring: match ring {
+                Ok(ring) => ring,
+                Err(_) => return Err(report),
+            },
+            arguments: self.arguments,
+            names: self.names,
+        };
+        report.extend(model.check_names());
+        if report.is_empty() {
+            report.extend(model.find_cycles());
+        }
+        if report.is_empty() {
+            model.name_abbreviations();
+            return Ok(model);
+        }
+        report.sort_by_key(|d| d.span);
+        report.dedup();
+        Err(report)
+    }
+}
+
+/// The letters of the ring but for the abbreviations: each symbol, each process with as many time
+/// derivatives as are printed and a few more.
+fn letters(symbols: &[Symbol], equations: &[Equation]) -> Vec<Letter> {
+    let mut dots = 0;
+    for equation in equations {
+        each_expression(&equation.display, &mut |e| {
+            if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
+                dots = dots.max(name.dots);
+            }
+        });
+    }
+    let mut letters = Vec::new();
+    for (symbol, s) in symbols.iter().enumerate() {
+        let orders = match s.function_of {
+            Some(_) => dots + SPARE_DERIVATIVES,
+            None => 0,
+        };
+        letters.extend((0..=orders).map(|order| Letter::Symbol { symbol, order }));
+    }
+    letters
+}
+
+/// Calls `see` on every expression of a display, including the labels of underbraces.
+pub(super) fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr)) {
+    for clause in &display.clauses {
+        for member in &clause.chain.members {
+            links::visit(member, see);
+        }
+        for (_, label) in links::underbraces(&clause.chain) {
+            for member in &label.members {
+                links::visit(member, see);
+            }
+        }
+    }
+}
+
+/// A name with nothing but letters, digits and underscores.
+fn plain(name: &Name) -> String {
+    let mut text = String::new();
+    for c in latex::canonical(name).chars() {
+        if c.is_ascii_alphanumeric() {
+            text.push(c);
+        } else if !text.is_empty() && !text.ends_with('_') {
+            text.push('_');
+        }
+    }
+    let text = text.trim_end_matches('_').to_string();
+    if text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        text
+    } else {
+        format!("x_{text}")
+    }
+}
+
+/// An identifier for a letter in the plain notation of the polynomial crate.
+fn plain_name(symbols: &[Symbol], letter: &Letter) -> String {
+    match letter {
+        Letter::Symbol { symbol, order } => {
+            let base = plain(&symbols[*symbol].name);
+            match order {
+                0 => base,
+                n => format!("{base}_t{n}"),
+            }
+        }
+        Letter::Abbreviation { definition } => format!("definition_{definition}"),
+    }
+}
+
+impl Model {
+    /// Finds the abbreviations and gives each a letter of the ring.
+    fn name_abbreviations(&mut self) {
+        let mut found = true;
+        while found {
+            found = false;
+            for d in 0..self.definitions.len() {
+                if self.definitions[d].letter.is_none() && self.is_abbreviation(d) {
+                    self.definitions[d].letter = Some(self.letters.len());
+                    self.letters.push(Letter::Abbreviation { definition: d });
+                    found = true;
+                }
+            }
+        }
+        // Abbreviations first: they are the letters that the claims are printed in.
+        self.letters.sort_by_key(|l| match l {
+            Letter::Abbreviation { definition } => (0, *definition, 0),
+            Letter::Symbol { symbol, order } => (1, *symbol, *order),
+        });
+        for (position, letter) in self.letters.iter().enumerate() {
+            if let Letter::Abbreviation { definition } = letter {
+                self.definitions[*definition].letter = Some(position);
+            }
+        }
+        let mut taken: BTreeSet<String> = BTreeSet::new();
+        let names: Vec<String> = self
+            .letters
+            .iter()
+            .map(|letter| {
+                let mut name = match letter {
+                    Letter::Abbreviation { definition } => {
+                        plain(&self.definitions[*definition].name)
+                    }
+                    symbol => plain_name(&self.symbols, symbol),
+                };
+                while !taken.insert(name.clone()) {
+                    name.push('_');
+                }
+                name
+            })
+            .collect();
+        if let Ok(ring) = Ring::new(names, Order::Grevlex) {
+            self.ring = ring;
+        }
+    }
+
+    /// A scalar defined by arithmetic on constant symbols and other abbreviations.
+    fn is_abbreviation(&self, d: usize) -> bool {
+        let definition = &self.definitions[d];
+        let equation = &self.equations[definition.equation];
+        let plain = matches!(definition.kind, DefinitionKind::Whole)
+            && equation.role == Role::Define
+            && matches!(definition.place, Place::Member { .. });
+        let Some(value) = definition.place.find(&equation.display).filter(|_| plain) else {
+            return false;
+        };
+        let mut arithmetic = true;
+        let mut letters = 0;
+        links::visit(value, &mut |e| match &e.kind {
+            ExprKind::Number(_)
+            | ExprKind::Sum(_)
+            | ExprKind::Product(_)
+            | ExprKind::Quotient { .. }
+            | ExprKind::Power { .. }
+            | ExprKind::Group { .. } => {}
+            ExprKind::Name(name) => {
+                letters += 1;
+                arithmetic &= match self.names.whole.get(&latex::canonical(name)) {
+                    Some(Node::Symbol(s)) => self.symbols[*s].function_of.is_none(),
+                    Some(Node::Definition(other)) => self.definitions[*other].letter.is_some(),
+                    _ => false,
+                };
+            }
+            _ => arithmetic = false,
+        });
+        arithmetic && letters > 0
+    }
+}

@@ -1,0 +1,273 @@
+//! Names without a meaning, and definitions that need themselves.
+
+use super::build::each_expression;
+use super::names::{Element, Resolved, literal_integer};
+use super::{DefinitionKind, Model, Node, Role};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::expr::{Expr, ExprKind};
+use crate::latex;
+use crate::model::links::children;
+use crate::span::Span;
+use std::collections::BTreeSet;
+
+impl Model {
+    /// One diagnostic for each name in an equation or a notation that has no meaning.
+    pub(super) fn check_names(&self) -> Vec<Diagnostic> {
+        let mut report = Vec::new();
+        for equation in &self.equations {
+            if matches!(equation.role, Role::Recall(_)) {
+                continue;
+            }
+            for (clause_index, clause) in equation.display.clauses.iter().enumerate() {
+                let mut bound: Vec<String> = clause
+                    .ranges
+                    .iter()
+                    .map(|r| latex::canonical(&r.index))
+                    .collect();
+                let recalled = |member: usize| {
+                    equation.links.iter().any(|l| {
+                        l.left.clause() == clause_index
+                            && equation.settings.recalled_members.contains_key(&l.member)
+                            && l.right
+                                == super::links::Place::Member {
+                                    clause: clause_index,
+                                    member,
+                                }
+                    })
+                };
+                for (m, member) in clause.chain.members.iter().enumerate() {
+                    if !recalled(m) {
+                        self.check_expression(member, &mut bound, &mut report);
+                    }
+                }
+                for (_, label) in super::links::underbraces(&clause.chain) {
+                    for member in &label.members {
+                        self.check_expression(member, &mut bound, &mut report);
+                    }
+                }
+            }
+            for given in &equation.given {
+                self.check_expression(given, &mut Vec::new(), &mut report);
+            }
+        }
+        for notation in &self.notation {
+            if let Some(target) = notation.kind.target() {
+                self.check_expression(target, &mut Vec::new(), &mut report);
+            }
+        }
+        report
+    }
+
+    fn check_expression(&self, expr: &Expr, bound: &mut Vec<String>, report: &mut Vec<Diagnostic>) {
+        match &expr.kind {
+            ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
+                let known = |n: &str| bound.iter().any(|b| b == n);
+                if let Err(kind) = self.resolve(name, &known) {
+                    report.push(Diagnostic::new(kind, expr.span));
+                }
+                let indexed = matches!(self.resolve(name, &known), Ok(Resolved::Indexed { .. }));
+                if let (true, Some(subscript)) = (indexed, &name.subscript) {
+                    for index in &subscript.indices {
+                        if literal_integer(index).is_none() {
+                            self.check_expression(index, bound, report);
+                        }
+                    }
+                }
+            }
+            // The power of a name may be defined where the name itself is not.
+            ExprKind::Power { base, .. }
+                if matches!(&base.kind, ExprKind::Name(n)
+                    if self.has_power_of(&latex::canonical(n))) => {}
+            ExprKind::BigSum {
+                index,
+                from,
+                to,
+                body,
+            } => {
+                self.check_expression(from, bound, report);
+                self.check_expression(to, bound, report);
+                bound.push(latex::canonical(index));
+                self.check_expression(body, bound, report);
+                bound.pop();
+            }
+            ExprKind::Integral { variable, .. } => {
+                bound.push(latex::canonical(variable));
+                for child in children(expr) {
+                    self.check_expression(child, bound, report);
+                }
+                bound.pop();
+            }
+            _ => {
+                for child in children(expr) {
+                    self.check_expression(child, bound, report);
+                }
+            }
+        }
+    }
+
+    /// One diagnostic for each circle of definitions.
+    pub(super) fn find_cycles(&self) -> Vec<Diagnostic> {
+        let mut report = Vec::new();
+        let mut done: BTreeSet<Node> = BTreeSet::new();
+        let nodes = (0..self.definitions.len())
+            .map(Node::Definition)
+            .chain((0..self.notation.len()).map(Node::Notation))
+            .chain((0..self.systems.len()).map(|system| Node::Unknown {
+                system,
+                position: 0,
+            }));
+        for start in nodes {
+            let mut path = Vec::new();
+            if let Some(cycle) = self.descend(start, &mut path, &mut done) {
+                let span = self.node_span(cycle[0]);
+                let names = cycle.iter().map(|n| self.node_name(*n)).collect();
+                report.push(Diagnostic::new(
+                    DiagnosticKind::CyclicDefinition { cycle: names },
+                    span,
+                ));
+            }
+        }
+        report
+    }
+
+    fn descend(
+        &self,
+        node: Node,
+        path: &mut Vec<Node>,
+        done: &mut BTreeSet<Node>,
+    ) -> Option<Vec<Node>> {
+        if done.contains(&node) {
+            return None;
+        }
+        if let Some(at) = path.iter().position(|n| *n == node) {
+            let cycle = path[at..].to_vec();
+            done.extend(cycle.iter().copied());
+            // A family that needs its own members is a recursion by index, decided when evaluated;
+            // the unknown of a solve block stands in its own equation.
+            let itself = cycle.len() == 1
+                && match node {
+                    Node::Unknown { .. } => true,
+                    Node::Definition(d) => {
+                        matches!(self.definitions[d].kind, DefinitionKind::Family { .. })
+                    }
+                    _ => false,
+                };
+            return (!itself).then_some(cycle);
+        }
+        path.push(node);
+        for next in self.needs(node) {
+            if let Some(cycle) = self.descend(next, path, done) {
+                return Some(cycle);
+            }
+        }
+        path.pop();
+        done.insert(node);
+        None
+    }
+
+    /// The nodes that a node's value is computed from; all unknowns of a system count as one.
+    pub fn needs(&self, node: Node) -> BTreeSet<Node> {
+        let mut found = BTreeSet::new();
+        match node {
+            Node::Symbol(_) => {}
+            Node::Definition(d) => {
+                let definition = &self.definitions[d];
+                let display = &self.equations[definition.equation].display;
+                if let Some(value) = definition.place.find(display) {
+                    self.collect(value, &mut found);
+                }
+            }
+            Node::Notation(n) => {
+                if let Some(target) = self.notation[n].kind.target() {
+                    self.collect(target, &mut found);
+                }
+            }
+            Node::Unknown { system, .. } => {
+                let display = &self.equations[self.systems[system].equation].display;
+                each_expression(display, &mut |e| self.collect_name(e, &mut found));
+            }
+        }
+        found
+    }
+
+    /// The nodes that an expression uses directly.
+    pub fn collect(&self, expr: &Expr, found: &mut BTreeSet<Node>) {
+        super::links::visit(expr, &mut |e| self.collect_name(e, found));
+    }
+
+    fn collect_name(&self, expr: &Expr, found: &mut BTreeSet<Node>) {
+        let name = match &expr.kind {
+            ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => name,
+            ExprKind::Power { base, exponent } => {
+                if let (ExprKind::Name(name), Some(n)) = (&base.kind, literal_integer(exponent))
+                    && let Some((node, _)) =
+                        u32::try_from(n).ok().and_then(|n| self.power_node(name, n))
+                {
+                    found.insert(node);
+                }
+                return;
+            }
+            _ => return,
+        };
+        // What is bound here is not known: an index may be any letter that means nothing else.
+        let index = |n: &str| !self.names.whole.contains_key(n) && *n != latex::canonical(name);
+        match self.resolve(name, &index) {
+            Ok(Resolved::Node { node, .. }) => {
+                found.insert(normal(node));
+            }
+            Ok(Resolved::Indexed { key, indices }) => {
+                let literal: Option<Vec<i64>> =
+                    indices.iter().map(|i| literal_integer(i)).collect();
+                let elements = literal.map_or_else(Vec::new, |l| self.elements(&key, &l));
+                for element in &elements {
+                    let (Element::Node(node) | Element::Member(node, _) | Element::Entry(node, _)) =
+                        element;
+                    found.insert(normal(*node));
+                }
+                if elements.is_empty() {
+                    let families = self.names.families.iter();
+                    found.extend(families.filter(|((k, _), _)| *k == key).map(|(_, n)| *n));
+                    found.extend(self.names.whole.get(&key).map(|n| normal(*n)));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn node_name(&self, node: Node) -> String {
+        match node {
+            Node::Symbol(s) => latex::canonical(&self.symbols[s].name),
+            Node::Definition(d) => latex::canonical(&self.definitions[d].name),
+            Node::Notation(n) => latex::canonical(&self.notation[n].name),
+            Node::Unknown { system, position } => {
+                latex::canonical(&self.systems[system].unknowns[position])
+            }
+        }
+    }
+
+    fn node_span(&self, node: Node) -> Span {
+        match node {
+            Node::Definition(d) => {
+                let definition = &self.definitions[d];
+                let equation = &self.equations[definition.equation];
+                definition
+                    .place
+                    .find(&equation.display)
+                    .map_or(equation.span, |e| e.span)
+            }
+            Node::Unknown { system, .. } => self.equations[self.systems[system].equation].span,
+            Node::Notation(n) => self.document.notation[n].name.span,
+            Node::Symbol(s) => self.document.symbols[s].name.span,
+        }
+    }
+}
+
+fn normal(node: Node) -> Node {
+    match node {
+        Node::Unknown { system, .. } => Node::Unknown {
+            system,
+            position: 0,
+        },
+        node => node,
+    }
+}

@@ -1,0 +1,276 @@
+//! A document as mathematics: its letters, what each name stands for, and the links to check.
+//!
+//! Invariants: every name in every link, definition and notation entry resolves; no definition
+//! needs itself (a family may need members with another index); each name has one meaning.
+
+mod build;
+mod cycles;
+pub mod links;
+pub mod names;
+
+use crate::document::{Document, Settings, VerdictWord};
+use crate::expr::{Display, Expr, Name};
+use crate::span::Span;
+use links::{Link, Place};
+use names::Names;
+use num_rational::BigRational;
+use ratpoly::Ring;
+use std::collections::BTreeSet;
+
+/// Something with a value: what a name can stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Node {
+    /// A declared symbol.
+    Symbol(usize),
+    /// A definition in an equation.
+    Definition(usize),
+    /// An entry of the notation table.
+    Notation(usize),
+    /// The unknown at a position of a `solve` block.
+    Unknown {
+        /// Which block, as an index into [`Model::systems`].
+        system: usize,
+        /// Which of its unknowns.
+        position: usize,
+    },
+}
+
+/// A declared symbol: a letter that the document leaves free.
+#[derive(Clone, Debug)]
+pub struct Symbol {
+    /// The name.
+    pub name: Name,
+    /// Declared positive.
+    pub positive: bool,
+    /// The reference value, if any.
+    pub value: Option<BigRational>,
+    /// The SI unit as written, if any.
+    pub unit: Option<String>,
+    /// What it is.
+    pub meaning: String,
+    /// The letter it is a function of, if any.
+    pub function_of: Option<Name>,
+}
+
+/// A variable of the ring in which the document is evaluated.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Letter {
+    /// A symbol, or its time derivative of an order.
+    Symbol {
+        /// Index into [`Model::symbols`].
+        symbol: usize,
+        /// Order of the derivative.
+        order: u8,
+    },
+    /// An abbreviation, kept free until a claim needs its definition.
+    Abbreviation {
+        /// Index into [`Model::definitions`].
+        definition: usize,
+    },
+}
+
+/// What a definition defines.
+#[derive(Clone, Debug)]
+pub enum DefinitionKind {
+    /// A name.
+    Whole,
+    /// A power of a name.
+    Power(u32),
+    /// A single member of a family.
+    Element(Vec<i64>),
+    /// A family with running indices.
+    Family {
+        /// The canonical names of the indices.
+        indices: Vec<String>,
+        /// First and last value of each.
+        ranges: Vec<(i64, i64)>,
+    },
+}
+
+/// A name that gets its value from a place in a display.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The name on the left, as printed.
+    pub name: Name,
+    /// What kind of name it is.
+    pub kind: DefinitionKind,
+    /// The equation, as an index into [`Model::equations`].
+    pub equation: usize,
+    /// Where the value stands in its display.
+    pub place: Place,
+    /// The letter of the ring that stands for it where it is an abbreviation: a scalar defined
+    /// by arithmetic on constant symbols and other abbreviations.
+    pub letter: Option<usize>,
+}
+
+/// An entry of the notation table.
+#[derive(Clone, Debug)]
+pub struct Notation {
+    /// The name or pattern.
+    pub name: Name,
+    /// What it means.
+    pub kind: NotationKind,
+}
+
+/// What a notation can mean; the expressions name what it is taken of.
+#[derive(Clone, Debug)]
+pub enum NotationKind {
+    /// The unit matrix of an order.
+    Identity(usize),
+    /// Zero of any shape.
+    Zero,
+    /// The coefficient a_i of lambda^(n-i) in det(lambda E - A).
+    CharacteristicCoefficient(Expr),
+    /// The cofactor of an entry.
+    Cofactor(Expr),
+    /// The leading principal minor of an order.
+    LeadingMinor(Expr),
+    /// The entry of a matrix.
+    Entry(Expr),
+    /// The Hurwitz matrix of the characteristic polynomial of a matrix.
+    HurwitzMatrix(Expr),
+    /// Another way of writing an expression.
+    Means(Expr),
+}
+
+impl NotationKind {
+    /// The expression that the notation is about, if any.
+    pub fn target(&self) -> Option<&Expr> {
+        match self {
+            NotationKind::Identity(_) | NotationKind::Zero => None,
+            NotationKind::CharacteristicCoefficient(e)
+            | NotationKind::Cofactor(e)
+            | NotationKind::LeadingMinor(e)
+            | NotationKind::Entry(e)
+            | NotationKind::HurwitzMatrix(e)
+            | NotationKind::Means(e) => Some(e),
+        }
+    }
+}
+
+/// A `solve` block: equations and the unknowns they determine.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// The equation, as an index into [`Model::equations`].
+    pub equation: usize,
+    /// The unknowns in the order given.
+    pub unknowns: Vec<Name>,
+}
+
+/// What an equation does in its document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Gives names values.
+    Define,
+    /// Determines unknowns; which, is in [`Model::systems`].
+    Solve,
+    /// Is to be checked.
+    Claim,
+    /// Is stated, with nothing to check, for this reason.
+    Recall(String),
+}
+
+/// A displayed equation.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// Its printed number, or a word.
+    pub label: String,
+    /// Its role.
+    pub role: Role,
+    /// The LaTeX as printed.
+    pub source: String,
+    /// The display as printed.
+    pub display: Display,
+    /// Its links.
+    pub links: Vec<Link>,
+    /// For each link, the definition that it makes, if it makes one.
+    pub defines: Vec<Option<usize>>,
+    /// The author's settings.
+    pub settings: Settings,
+    /// The hypotheses that the author states, as differences that vanish.
+    pub given: Vec<Expr>,
+    /// Where the printed equation stands.
+    pub span: Span,
+}
+
+/// A document as mathematics.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The document.
+    pub document: Document,
+    /// The declared symbols.
+    pub symbols: Vec<Symbol>,
+    /// The notation table.
+    pub notation: Vec<Notation>,
+    /// The definitions.
+    pub definitions: Vec<Definition>,
+    /// The `solve` blocks.
+    pub systems: Vec<System>,
+    /// The equations in the order of the document.
+    pub equations: Vec<Equation>,
+    /// The variables of the ring.
+    pub letters: Vec<Letter>,
+    /// The ring in which the document is evaluated.
+    pub ring: Ring,
+    /// The letters that some process is a function of.
+    pub arguments: BTreeSet<String>,
+    pub(crate) names: Names,
+}
+
+impl Model {
+    /// The equation with this label.
+    pub fn equation(&self, label: &str) -> Option<usize> {
+        self.equations.iter().position(|e| e.label == label)
+    }
+
+    /// The variable of the ring for a symbol's derivative.
+    pub fn letter_of_symbol(&self, symbol: usize, order: u8) -> Option<usize> {
+        self.letters
+            .iter()
+            .position(|l| *l == Letter::Symbol { symbol, order })
+    }
+
+    /// Whether a variable of the ring is declared positive. An abbreviation is positive when its
+    /// value is, which the caller finds out by inserting it.
+    pub fn is_positive(&self, letter: usize) -> bool {
+        match self.letters[letter] {
+            Letter::Symbol { symbol, order } => order == 0 && self.symbols[symbol].positive,
+            Letter::Abbreviation { .. } => false,
+        }
+    }
+
+    /// The printed name of a variable of the ring.
+    pub fn letter_name(&self, letter: usize) -> Name {
+        match self.letters[letter] {
+            Letter::Symbol { symbol, order } => {
+                let mut name = self.symbols[symbol].name.clone();
+                name.dots += order;
+                name
+            }
+            Letter::Abbreviation { definition } => self.definitions[definition].name.clone(),
+        }
+    }
+
+    /// Whether `argument` is the letter that this process is declared a function of.
+    pub fn is_argument_of(&self, process: &Name, argument: &str) -> bool {
+        let undotted = crate::latex::canonical(&process.undotted());
+        match self.names.whole.get(&undotted) {
+            Some(Node::Symbol(s)) => self.symbols[*s]
+                .function_of
+                .as_ref()
+                .is_some_and(|name| crate::latex::canonical(name) == argument),
+            _ => self.arguments.contains(argument),
+        }
+    }
+}
+
+impl Equation {
+    /// The verdict that the document records for a link.
+    pub fn expected(&self, member: usize) -> Option<VerdictWord> {
+        self.settings
+            .expect_members
+            .get(&member)
+            .or(self.settings.expect.as_ref())
+            .map(|(word, _)| *word)
+    }
+}
