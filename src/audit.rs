@@ -1,0 +1,87 @@
+//! The whole way of a document: read, modelled, checked.
+
+use crate::check::{self, Options};
+use crate::diagnostic::Rejection;
+use crate::document::{Document, VerdictWord};
+use crate::model::Model;
+use crate::verdict::Outcome;
+
+/// A document with the verdicts on all its links.
+#[derive(Clone, Debug)]
+pub struct Audit {
+    /// The document as mathematics.
+    pub model: Model,
+    /// One outcome for each link, in the order of the document.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// How many of the numbered equations have a verdict that was computed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coverage {
+    /// The numbers that the document announces.
+    pub announced: Vec<u32>,
+    /// Those without an equation in the document.
+    pub absent: Vec<u32>,
+    /// Those with an undecided link.
+    pub undecided: Vec<u32>,
+}
+
+impl Coverage {
+    /// How many of the announced numbers are covered.
+    pub fn covered(&self) -> usize {
+        self.announced.len() - self.absent.len() - self.undecided.len()
+    }
+}
+
+impl Audit {
+    /// Checks a document.
+    ///
+    /// # Errors
+    /// Everything that makes the document unusable, with its places.
+    pub fn of(document: &Document, options: Options) -> Result<Audit, Rejection> {
+        let reject = |diagnostics| document.reject(diagnostics);
+        let model = Model::build(document).map_err(reject)?;
+        let outcomes = check::check(&model, options).map_err(reject)?;
+        Ok(Audit { model, outcomes })
+    }
+
+    /// Which of the announced equation numbers have a verdict.
+    pub fn coverage(&self) -> Coverage {
+        let announced: Vec<u32> = self.model.document.announced_numbers().collect();
+        let equation = |n: &u32| self.model.equation(&n.to_string());
+        let absent = announced
+            .iter()
+            .copied()
+            .filter(|n| equation(n).is_none())
+            .collect();
+        let undecided = announced
+            .iter()
+            .copied()
+            .filter(|n| {
+                equation(n).is_some_and(|e| {
+                    self.outcomes_of(e)
+                        .any(|o| o.verdict.word() == VerdictWord::Undecided)
+                })
+            })
+            .collect();
+        Coverage {
+            announced,
+            absent,
+            undecided,
+        }
+    }
+
+    /// The outcomes of one equation.
+    pub fn outcomes_of(&self, equation: usize) -> impl Iterator<Item = &Outcome> {
+        self.outcomes.iter().filter(move |o| o.equation == equation)
+    }
+
+    /// Whether a link's verdict is the one that the document records, if it records one; a
+    /// hypothesis that the document names must be the one that was found.
+    pub fn as_expected(&self, outcome: &Outcome) -> bool {
+        let equation = &self.model.equations[outcome.equation];
+        equation
+            .expected(outcome.member)
+            .is_none_or(|word| word == outcome.verdict.word())
+    }
+}

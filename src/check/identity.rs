@@ -1,0 +1,224 @@
+//! Whether two sides are equal: first in the printed letters, then with the definitions inserted.
+//!
+//! The steps, each exact: (1) left minus right in the letters as printed; (2) those abbreviations
+//! inserted whose definition is spelt in letters that the link itself uses, so that nothing hidden
+//! enters; (3) all definitions inserted. What vanishes at (1) or (2) holds; what vanishes only at
+//! (3) needs a relation between the printed letters, which [`super::relations`] finds; what
+//! survives (3) is false.
+
+use super::Checker;
+use crate::evaluate::{Failure, FailureKind, Value};
+use crate::latex;
+use crate::model::Letter;
+use crate::model::links::Link;
+use crate::verdict::{Given, Refutation, ResidualEntry};
+use ratpoly::RationalFunction;
+use std::collections::BTreeSet;
+
+/// Definitions inserted for letters, and the labels of their equations.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Insertion {
+    pub letters: Vec<(usize, RationalFunction)>,
+    pub labels: Vec<String>,
+}
+
+/// What became of an equation.
+pub(crate) enum Decision {
+    /// True, with these insertions.
+    Holds(Insertion),
+    /// True under relations.
+    HoldsGiven(Insertion, Given),
+    /// False.
+    False(Refutation),
+}
+
+impl Checker<'_> {
+    /// Both sides of a link, entry by entry, for every value of its running indices.
+    pub(crate) fn sides(
+        &mut self,
+        equation: usize,
+        link: &Link,
+    ) -> Result<Vec<ResidualEntry>, Failure> {
+        let display = self.exact.display(equation).clone();
+        let span = self.model.equations[equation].span;
+        let missing = || Failure::unsupported("a link without its sides", span);
+        let left = link.left.find(&display).ok_or_else(missing)?;
+        let right = link.right.find(&display).ok_or_else(missing)?;
+        let ranges = &display.clauses[link.left.clause()].ranges;
+        let names: Vec<String> = ranges.iter().map(|r| latex::canonical(&r.index)).collect();
+        let mut bounds = Vec::new();
+        for range in ranges {
+            bounds.push((
+                self.exact.integer(&range.from)?,
+                self.exact.integer(&range.to)?,
+            ));
+        }
+        let mut entries = Vec::new();
+        for tuple in super::index_tuples(&bounds) {
+            let indices: Vec<(String, i64)> = names.iter().cloned().zip(tuple).collect();
+            let (l, r) = self.exact.with_indices(&indices, |e| {
+                Ok((e.expression(left)?, e.expression(right)?))
+            })?;
+            entries.extend(self.paired(&l, &r, &indices, left.span.to(right.span))?);
+        }
+        Ok(entries)
+    }
+
+    fn paired(
+        &self,
+        left: &Value<RationalFunction>,
+        right: &Value<RationalFunction>,
+        indices: &[(String, i64)],
+        span: crate::span::Span,
+    ) -> Result<Vec<ResidualEntry>, Failure> {
+        let zero = RationalFunction::zero(self.model.ring);
+        let is_zero = |v: &Value<RationalFunction>| match v {
+            Value::Zero => true,
+            Value::Scalar(s) => s.is_zero(),
+            Value::Matrix(_) => false,
+        };
+        let shape = match (left.shape(), right.shape()) {
+            (Some(l), Some(r)) if l == r => l,
+            (Some(l), _) if is_zero(right) => l,
+            (_, Some(r)) if is_zero(left) => r,
+            (None, None) => (1, 1),
+            _ => {
+                return Err(Failure::new(
+                    FailureKind::Shape {
+                        operation: "=".into(),
+                        left: left.shape_text(),
+                        right: right.shape_text(),
+                    },
+                    span,
+                ));
+            }
+        };
+        let at = |value: &Value<RationalFunction>, i: usize, j: usize| match value {
+            Value::Matrix(m) => m[(i, j)].clone(),
+            Value::Scalar(s) => s.clone(),
+            Value::Zero => zero.clone(),
+        };
+        let mut entries = Vec::new();
+        for i in 0..shape.0 {
+            for j in 0..shape.1 {
+                entries.push(ResidualEntry {
+                    indices: indices.to_vec(),
+                    place: (shape != (1, 1)).then_some((i + 1, j + 1)),
+                    left: at(left, i, j),
+                    right: at(right, i, j),
+                });
+            }
+        }
+        Ok(entries)
+    }
+
+    /// Decides the equality of the sides.
+    ///
+    /// # Errors
+    /// A reason why it stays undecided.
+    pub(crate) fn decide(
+        &mut self,
+        entries: &[ResidualEntry],
+        equation: usize,
+    ) -> Result<Decision, String> {
+        let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
+        if open.is_empty() {
+            return Ok(Decision::Holds(Insertion::default()));
+        }
+        let visible = self.visible_insertion(entries);
+        let remaining = insert(&open, &visible)?;
+        if remaining.iter().all(|e| e.left == e.right) {
+            return Ok(Decision::Holds(visible));
+        }
+        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+        let expanded = insert(&remaining.iter().collect::<Vec<_>>(), &all)?;
+        if expanded.iter().all(|e| e.left == e.right) {
+            let open = remaining
+                .into_iter()
+                .filter(|e| e.left != e.right)
+                .collect();
+            let given = self.hidden_relations(open)?;
+            return Ok(Decision::HoldsGiven(visible, given));
+        }
+        if let Some(given) = self.stated_relations(&open, equation)? {
+            return Ok(Decision::HoldsGiven(Insertion::default(), given));
+        }
+        Ok(Decision::False(self.refutation(&open, &expanded)))
+    }
+
+    /// The insertion of the definitions of these letters.
+    pub(crate) fn insertion(&self, letters: &[usize]) -> Insertion {
+        let mut labels: Vec<(usize, String)> = letters
+            .iter()
+            .filter_map(|letter| match self.model.letters[*letter] {
+                Letter::Abbreviation { definition } => {
+                    let equation = self.model.definitions[definition].equation;
+                    Some((equation, self.model.equations[equation].label.clone()))
+                }
+                Letter::Symbol { .. } => None,
+            })
+            .collect();
+        labels.sort();
+        labels.dedup();
+        Insertion {
+            letters: letters
+                .iter()
+                .filter_map(|l| Some((*l, self.inserted.get(l)?.clone())))
+                .collect(),
+            labels: labels.into_iter().map(|(_, label)| label).collect(),
+        }
+    }
+
+    /// The abbreviations whose definition is spelt in letters that the link uses.
+    fn visible_insertion(&self, entries: &[ResidualEntry]) -> Insertion {
+        let used = letters_of(entries.iter().flat_map(|e| [&e.left, &e.right]));
+        let visible: Vec<usize> = self
+            .inserted
+            .iter()
+            .filter(|(letter, value)| {
+                used.contains(letter) && letters_of([*value]).is_subset(&used)
+            })
+            .map(|(letter, _)| *letter)
+            .collect();
+        self.insertion(&visible)
+    }
+}
+
+/// The entries with definitions inserted.
+pub(crate) fn insert(
+    entries: &[&ResidualEntry],
+    insertion: &Insertion,
+) -> Result<Vec<ResidualEntry>, String> {
+    let image = |side: &RationalFunction| {
+        if insertion.letters.is_empty() {
+            return Ok(side.clone());
+        }
+        side.substitute(&insertion.letters)
+            .map_err(|_| "a denominator vanishes by the definitions".to_string())
+    };
+    entries
+        .iter()
+        .map(|e| {
+            Ok(ResidualEntry {
+                indices: e.indices.clone(),
+                place: e.place,
+                left: image(&e.left)?,
+                right: image(&e.right)?,
+            })
+        })
+        .collect()
+}
+
+/// The letters that occur in some rational functions.
+pub(crate) fn letters_of<'a>(
+    functions: impl IntoIterator<Item = &'a RationalFunction>,
+) -> BTreeSet<usize> {
+    functions
+        .into_iter()
+        .flat_map(|f| {
+            let mut letters = f.numerator().variables_occurring();
+            letters.extend(f.denominator().variables_occurring());
+            letters
+        })
+        .collect()
+}

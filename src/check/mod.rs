@@ -1,0 +1,391 @@
+//! Verdicts on the links of a model.
+//!
+//! Equations are settled in the order of their dependencies, so that what a misprint would spoil
+//! further down is computed from the corrected equation: slips do not cascade. No float is used
+//! here, no verdict depends on what the author expects, and nothing unknown counts as true.
+
+mod conditions;
+pub mod edit;
+mod identity;
+mod relations;
+mod repair;
+mod witness;
+
+use crate::diagnostic::Diagnostic;
+use crate::domain::Symbolic;
+use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
+use crate::expr::Relation;
+use crate::latex;
+use crate::model::links::{Link, Place};
+use crate::model::{DefinitionKind, Letter, Model, Node, Role};
+use crate::verdict::{Certificate, Outcome, Refutation, Verdict};
+use identity::Decision;
+use ratpoly::RationalFunction;
+use std::collections::BTreeMap;
+
+/// How much is spent.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Whether corrections are searched for.
+    pub repair: bool,
+    /// The largest number of candidates that the search looks at for one link.
+    pub candidates: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            repair: true,
+            candidates: 200_000,
+        }
+    }
+}
+
+/// The checker of one model.
+pub struct Checker<'m> {
+    pub(crate) model: &'m Model,
+    pub(crate) exact: Evaluator<'m, Symbolic>,
+    options: Options,
+    /// For each letter that is an abbreviation, its value in the declared symbols.
+    pub(crate) inserted: BTreeMap<usize, RationalFunction>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// Checks every link of a model.
+///
+/// # Errors
+/// When evaluation shows that the document is unusable: shapes that do not fit, a divisor that is
+/// zero identically, an exponent beyond the limit.
+pub fn check(model: &Model, options: Options) -> Result<Vec<Outcome>, Vec<Diagnostic>> {
+    Checker::new(model, options)?.run()
+}
+
+impl<'m> Checker<'m> {
+    /// A checker; the values of all abbreviations are computed.
+    ///
+    /// # Errors
+    /// When an abbreviation has no value.
+    pub fn new(model: &'m Model, options: Options) -> Result<Self, Vec<Diagnostic>> {
+        let mut checker = Checker {
+            model,
+            exact: symbolic(model),
+            options,
+            inserted: BTreeMap::new(),
+            diagnostics: Vec::new(),
+        };
+        let mut expanding = symbolic(model);
+        expanding.keep_abbreviations = false;
+        for (letter, kind) in model.letters.iter().enumerate() {
+            if let Letter::Abbreviation { definition } = kind {
+                let node = (Node::Definition(*definition), Vec::new(), 0);
+                let span = model.equations[model.definitions[*definition].equation].span;
+                match expanding.value_of(node, span) {
+                    Ok(Value::Scalar(value)) => {
+                        checker.inserted.insert(letter, value);
+                    }
+                    Ok(_) => {}
+                    Err(failure) => checker.note(&failure),
+                }
+            }
+        }
+        if checker.diagnostics.is_empty() {
+            Ok(checker)
+        } else {
+            Err(checker.diagnostics)
+        }
+    }
+
+    /// Settles all equations; the outcomes are in the order of the document.
+    ///
+    /// # Errors
+    /// As [`check`].
+    pub fn run(mut self) -> Result<Vec<Outcome>, Vec<Diagnostic>> {
+        let mut outcomes = Vec::new();
+        for equation in self.model.settling_order() {
+            outcomes.extend(self.settle(equation));
+        }
+        if !self.diagnostics.is_empty() {
+            self.diagnostics.sort_by_key(|d| d.span);
+            self.diagnostics.dedup();
+            return Err(self.diagnostics);
+        }
+        outcomes.sort_by_key(|o| (o.equation, o.member));
+        Ok(outcomes)
+    }
+
+    fn note(&mut self, failure: &Failure) {
+        self.diagnostics.extend(failure.diagnostic());
+    }
+
+    fn settle(&mut self, equation: usize) -> Vec<Outcome> {
+        let model = self.model;
+        let printed = &model.equations[equation];
+        let mut outcomes = Vec::new();
+        for (l, link) in printed.links.iter().enumerate() {
+            self.exact.conditions.clear();
+            let mut certificate = Certificate::default();
+            let verdict = if let Role::Recall(reason) = &printed.role {
+                Verdict::Recalled {
+                    reason: reason.clone(),
+                }
+            } else if let Some(reason) = printed.settings.recalled_members.get(&link.member) {
+                Verdict::Recalled {
+                    reason: reason.text.clone(),
+                }
+            } else if printed.role == Role::Solve {
+                self.solved(equation)
+            } else if let Some(definition) = printed.defines[l] {
+                self.definition(definition)
+            } else if link.left == link.right {
+                self.bare(equation, link)
+            } else {
+                self.claim(equation, link, &mut certificate)
+            };
+            debug_assert!(certificate.verify(), "a certificate that does not verify");
+            let conditions = self.conditions();
+            outcomes.push(Outcome {
+                equation,
+                member: link.member,
+                verdict,
+                conditions,
+                certificate,
+            });
+        }
+        outcomes
+    }
+
+    /// A definition is right if it has a value.
+    fn definition(&mut self, definition: usize) -> Verdict {
+        let model = self.model;
+        let d = &model.definitions[definition];
+        let span = model.equations[d.equation].span;
+        let indices: Vec<Vec<i64>> = match &d.kind {
+            DefinitionKind::Family { ranges, .. } => index_tuples(ranges),
+            _ => vec![Vec::new()],
+        };
+        for tuple in indices {
+            let key = (Node::Definition(definition), tuple, 0);
+            if let Err(failure) = self.exact.value_of(key, span) {
+                return self.failed(&failure);
+            }
+        }
+        let mut what = latex::canonical(&d.name);
+        if let DefinitionKind::Power(n) = d.kind {
+            what = format!("{what}^{n}");
+        }
+        Verdict::Definition { what }
+    }
+
+    /// A `solve` block is right if its unknowns are determined.
+    fn solved(&mut self, equation: usize) -> Verdict {
+        let model = self.model;
+        let span = model.equations[equation].span;
+        let Some(system) = model.systems.iter().position(|s| s.equation == equation) else {
+            return Verdict::Undecided {
+                reason: "no unknowns are named".into(),
+            };
+        };
+        let key = (
+            Node::Unknown {
+                system,
+                position: 0,
+            },
+            Vec::new(),
+            0,
+        );
+        match self.exact.value_of(key, span) {
+            Ok(_) => {
+                let unknowns = &model.systems[system].unknowns;
+                let names: Vec<String> = unknowns.iter().map(latex::canonical).collect();
+                Verdict::Definition {
+                    what: names.join(", "),
+                }
+            }
+            Err(failure) => self.failed(&failure),
+        }
+    }
+
+    /// A bare expression such as `a_i, i = 1(1)4` says that these things exist.
+    fn bare(&mut self, equation: usize, link: &Link) -> Verdict {
+        match self.sides(equation, link) {
+            Ok(_) => Verdict::Definition {
+                what: link
+                    .left
+                    .find(self.exact.display(equation))
+                    .map_or_else(String::new, latex::write_expr),
+            },
+            Err(failure) => self.failed(&failure),
+        }
+    }
+
+    fn claim(&mut self, equation: usize, link: &Link, certificate: &mut Certificate) -> Verdict {
+        if link.relation != Relation::Equal {
+            return Verdict::Undecided {
+                reason: "only equations are decided here".into(),
+            };
+        }
+        let entries = match self.sides(equation, link) {
+            Ok(entries) => entries,
+            Err(failure) => match &failure.kind {
+                FailureKind::Outside { name } => {
+                    let refutation = self.refute_outside(equation, link, name.clone());
+                    return self.repaired(equation, link, refutation, certificate);
+                }
+                _ => return self.failed(&failure),
+            },
+        };
+        match self.decide(&entries, equation) {
+            Ok(Decision::Holds(by)) => {
+                *certificate = self.certificate(entries, &by, None);
+                Verdict::Holds { by: by.labels }
+            }
+            Ok(Decision::HoldsGiven(by, given)) => {
+                let not_identical = given.cofactors.iter().map(|g| g.entry.clone()).collect();
+                *certificate = self.certificate(not_identical, &by, Some(&given));
+                Verdict::HoldsGiven(Box::new(given))
+            }
+            Ok(Decision::False(refutation)) => {
+                self.repaired(equation, link, refutation, certificate)
+            }
+            Err(reason) => Verdict::Undecided { reason },
+        }
+    }
+
+    fn certificate(
+        &self,
+        entries: Vec<crate::verdict::ResidualEntry>,
+        by: &identity::Insertion,
+        given: Option<&crate::verdict::Given>,
+    ) -> Certificate {
+        Certificate {
+            entries,
+            inserted: by.letters.clone(),
+            relations: given.map_or_else(Vec::new, |g| g.relations.clone()),
+            cofactors: given.map_or_else(Vec::new, |g| {
+                g.cofactors.iter().map(|c| c.cofactors.clone()).collect()
+            }),
+        }
+    }
+
+    /// A refuted link with the correction that the search finds; the corrected display is what
+    /// later equations are computed from.
+    fn repaired(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        refutation: Refutation,
+        certificate: &mut Certificate,
+    ) -> Verdict {
+        if !self.options.repair {
+            return Verdict::Refuted(refutation);
+        }
+        match self.search(equation, link, self.options.candidates) {
+            Some((correction, proof)) => {
+                *certificate = proof;
+                self.exact.correct(equation, correction.display.clone());
+                Verdict::Misprint {
+                    refutation,
+                    correction: Box::new(correction),
+                }
+            }
+            None => Verdict::Refuted(refutation),
+        }
+    }
+
+    fn failed(&mut self, failure: &Failure) -> Verdict {
+        self.note(failure);
+        Verdict::Undecided {
+            reason: match &failure.kind {
+                FailureKind::Unsupported { what } => {
+                    format!("{what} is outside of what is decided")
+                }
+                FailureKind::Budget { what } => format!("too many {what}"),
+                FailureKind::Outside { name } => format!("{name} does not exist"),
+                FailureKind::NotLinear => "the equation is not linear in its unknowns".into(),
+                FailureKind::Underdetermined => "the unknowns are not determined".into(),
+                FailureKind::Inconsistent => "the equations contradict each other".into(),
+                _ => "the document has an error".into(),
+            },
+        }
+    }
+}
+
+/// An evaluator over the rational functions in the model's letters.
+pub(crate) fn symbolic(model: &Model) -> Evaluator<'_, Symbolic> {
+    let letters = (0..model.letters.len())
+        .map(|i| RationalFunction::variable(model.ring, i))
+        .collect();
+    Evaluator::new(model, Symbolic { ring: model.ring }, letters)
+}
+
+/// All tuples of indices in these ranges, the last running fastest.
+pub(crate) fn index_tuples(ranges: &[(i64, i64)]) -> Vec<Vec<i64>> {
+    let mut tuples = vec![Vec::new()];
+    for (from, to) in ranges {
+        tuples = tuples
+            .into_iter()
+            .flat_map(|tuple| {
+                (*from..=*to).map(move |i| {
+                    let mut longer = tuple.clone();
+                    longer.push(i);
+                    longer
+                })
+            })
+            .collect();
+    }
+    tuples
+}
+
+impl Model {
+    /// The equations, each after those whose definitions it uses; otherwise in the order of the
+    /// document.
+    pub fn settling_order(&self) -> Vec<usize> {
+        let mut order = Vec::new();
+        let mut seen = vec![false; self.equations.len()];
+        for equation in 0..self.equations.len() {
+            self.settle_before(equation, &mut seen, &mut order);
+        }
+        order
+    }
+
+    fn settle_before(&self, equation: usize, seen: &mut [bool], order: &mut Vec<usize>) {
+        if std::mem::replace(&mut seen[equation], true) {
+            return;
+        }
+        let mut nodes = std::collections::BTreeSet::new();
+        let mut pending = Vec::new();
+        self.each_member(equation, &mut |e| self.collect(e, &mut nodes));
+        pending.extend(nodes.iter().copied());
+        while let Some(node) = pending.pop() {
+            match node {
+                Node::Definition(d) => {
+                    self.settle_before(self.definitions[d].equation, seen, order);
+                }
+                Node::Unknown { system, .. } => {
+                    self.settle_before(self.systems[system].equation, seen, order);
+                }
+                Node::Notation(_) | Node::Symbol(_) => {
+                    for next in self.needs(node) {
+                        if nodes.insert(next) {
+                            pending.push(next);
+                        }
+                    }
+                }
+            }
+        }
+        order.push(equation);
+    }
+
+    fn each_member(&self, equation: usize, see: &mut dyn FnMut(&crate::expr::Expr)) {
+        let display = &self.equations[equation].display;
+        let mut places: Vec<Place> = Vec::new();
+        for link in &self.equations[equation].links {
+            places.extend([link.left, link.right]);
+        }
+        places.sort_unstable();
+        places.dedup();
+        for expr in places.iter().filter_map(|p| p.find(display)) {
+            see(expr);
+        }
+    }
+}

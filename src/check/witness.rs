@@ -1,0 +1,111 @@
+//! Exact points at which the two sides of an equation differ.
+
+use super::Checker;
+use super::identity::letters_of;
+use crate::model::Letter;
+use crate::model::links::Link;
+use crate::verdict::{Refutation, ResidualEntry, Witness};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Zero;
+
+/// How many points are looked at: the sides differ at all but few.
+const TRIES: u32 = 24;
+
+impl Checker<'_> {
+    /// Why the open entries are false, given the same entries with all definitions inserted.
+    pub(crate) fn refutation(
+        &self,
+        open: &[&ResidualEntry],
+        expanded: &[ResidualEntry],
+    ) -> Refutation {
+        let witness = expanded
+            .iter()
+            .filter(|e| e.left != e.right)
+            .find_map(|e| self.reference_witness(e));
+        Refutation {
+            missing: None,
+            residual: open.iter().map(|e| (*e).clone()).collect(),
+            witness,
+        }
+    }
+
+    /// The refutation of a link that names something that does not exist: what is left when it is
+    /// read as zero.
+    pub(crate) fn refute_outside(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        missing: String,
+    ) -> Refutation {
+        self.exact.lenient = true;
+        let entries = self.sides(equation, link);
+        self.exact.lenient = false;
+        let mut refutation = Refutation {
+            missing: None,
+            residual: Vec::new(),
+            witness: None,
+        };
+        if let Ok(entries) = entries {
+            let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
+            let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+            let expanded = super::identity::insert(&open, &all).unwrap_or_default();
+            refutation = self.refutation(&open, &expanded);
+        }
+        refutation.missing = Some(missing);
+        refutation
+    }
+
+    /// A point in the declared symbols: their reference values where these tell the sides apart,
+    /// otherwise small integers.
+    fn reference_witness(&self, entry: &ResidualEntry) -> Option<Witness> {
+        let reference = |letter: usize| match self.model.letters[letter] {
+            Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol].value.clone(),
+            _ => None,
+        };
+        (0..TRIES).find_map(|k| {
+            self.witness_at(entry, |letter, position| {
+                if k == 0 {
+                    reference(letter).unwrap_or_else(|| small(position, 1))
+                } else {
+                    small(position, k)
+                }
+            })
+        })
+    }
+
+    /// A point in the printed letters, abbreviations taken as free.
+    pub(crate) fn free_witness(&self, entry: &ResidualEntry) -> Option<Witness> {
+        (1..=TRIES).find_map(|k| self.witness_at(entry, |_, position| small(position, k)))
+    }
+
+    fn witness_at(
+        &self,
+        entry: &ResidualEntry,
+        value: impl Fn(usize, usize) -> BigRational,
+    ) -> Option<Witness> {
+        let letters = letters_of([&entry.left, &entry.right]);
+        let mut point = vec![BigRational::zero(); self.model.letters.len()];
+        let mut shown = Vec::new();
+        for (position, letter) in letters.into_iter().enumerate() {
+            point[letter] = value(letter, position);
+            shown.push((letter, point[letter].clone()));
+        }
+        let left = entry.left.evaluate(&point).ok()?;
+        let right = entry.right.evaluate(&point).ok()?;
+        (left != right).then_some(Witness {
+            point: shown,
+            left,
+            right,
+            place: entry.place,
+            indices: entry.indices.clone(),
+        })
+    }
+}
+
+/// Small positive integers, different for neighbouring letters and for each try.
+fn small(position: usize, attempt: u32) -> BigRational {
+    let position = u32::try_from(position % 1000).unwrap_or(0);
+    let value = 1 + (position * (attempt + 1) + attempt * attempt) % (7 + 2 * attempt);
+    BigRational::from_integer(BigInt::from(value))
+}
