@@ -27,6 +27,8 @@ pub enum Error {
         /// What was given.
         found: usize,
     },
+    /// A matrix that must be invertible has the determinant zero.
+    SingularMatrix,
     /// A limit of the [`Budget`](crate::Budget) was reached.
     BudgetExceeded(Resource),
     /// Text is not a polynomial in the plain notation.
@@ -87,6 +89,7 @@ impl fmt::Display for Error {
             Error::WrongLength { expected, found } => {
                 write!(f, "{expected} items are needed, {found} were given")
             }
+            Error::SingularMatrix => write!(f, "the matrix is singular"),
             Error::BudgetExceeded(Resource::Terms) => write!(f, "too many terms"),
             Error::BudgetExceeded(Resource::Bits) => write!(f, "a coefficient has too many bits"),
             Error::BudgetExceeded(Resource::Steps) => write!(f, "too many steps"),

@@ -33,6 +33,7 @@ mod gcd;
 mod groebner;
 mod ideal;
 mod layout;
+mod matrix;
 pub mod modular;
 mod monomial;
 mod multiply;
@@ -56,6 +57,10 @@ pub use error::{Error, ParseErrorKind, Resource};
 pub use gcd::{Cofactors, gcd, gcd_cofactors, gcd_cofactors_within, gcd_of, gcd_within, lcm};
 pub use groebner::{GroebnerBasis, NormalForm, normal_form};
 pub use ideal::Ideal;
+pub use matrix::{
+    DeterminantMethod, FaddeevLeVerrier, Matrix, hurwitz_cofactors, hurwitz_determinants,
+    hurwitz_matrix, toeplitz_matrix,
+};
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use rational_function::RationalFunction;

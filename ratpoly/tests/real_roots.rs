@@ -45,7 +45,7 @@ fn known_roots() {
 fn wilkinson_in_exact_arithmetic() {
     let mut f = Polynomial::one(ring());
     for k in 1..=20 {
-        f = f * (p("x") - Polynomial::constant(ring(), k));
+        f *= (p("x") - Polynomial::constant(ring(), k));
     }
     let roots = real_roots(&f, 0, &Budget::default()).unwrap();
     assert_eq!(roots.len(), 20);
@@ -97,9 +97,9 @@ fn constructed() -> impl Strategy<Value = (Vec<(BigRational, usize)>, Polynomial
         for (x, m) in &roots {
             let linear =
                 p("x").mul_integer(x.denom()) - Polynomial::constant(ring(), x.numer().clone());
-            f = f * linear.pow(*m as u32);
+            f *= linear.pow(*m as u32);
         }
-        f = f * p("x^2 + x + 1").pow(pairs as u32);
+        f *= p("x^2 + x + 1").pow(pairs as u32);
         (roots, f)
     })
 }

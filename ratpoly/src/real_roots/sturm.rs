@@ -85,7 +85,7 @@ impl SturmSequence {
             match at {
                 Bound::Finite(x) => dense::sign_at(f, x),
                 Bound::PositiveInfinity => lead,
-                Bound::NegativeInfinity if f.len() % 2 == 0 => lead.reverse(),
+                Bound::NegativeInfinity if f.len().is_multiple_of(2) => lead.reverse(),
                 Bound::NegativeInfinity => lead,
             }
         };
