@@ -179,7 +179,9 @@ pub fn indices(display: &Display, places: &[Place]) -> Vec<Replacement> {
             if tuple == subscript.indices {
                 continue;
             }
-            let label: Vec<String> = tuple.iter().map(latex::write_expr).collect();
+            // Signs stand close in subscripts.
+            let close = |e: &Expr| latex::write_expr(e).replace(" + ", "+").replace(" - ", "-");
+            let label: Vec<String> = tuple.iter().map(close).collect();
             let renamed = Name {
                 subscript: Some(Subscript {
                     indices: tuple,

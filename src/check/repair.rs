@@ -8,15 +8,14 @@
 use super::edit::{self, Address, Replacement};
 use super::identity::Decision;
 use super::{Checker, index_tuples};
-use crate::domain::{PRIME, PrimeField};
+use crate::domain::{Domain, PRIME, PrimeField, Rationals};
 use crate::evaluate::{Evaluator, Failure, FailureKind, Key, Value};
 use crate::expr::Display;
 use crate::latex;
 use crate::model::links::Link;
-use crate::verdict::{Certificate, Correction, Edit, EditClass, Rejected};
+use crate::verdict::{Certificate, Correction, Edit, EditClass, Rejected, Witness};
+use num_rational::BigRational;
 use ratpoly::RationalFunction;
-use std::cell::RefCell;
-use std::rc::Rc;
 
 /// How many readings of the same places are reported as rejected.
 const REPORTED: usize = 128;
@@ -97,7 +96,7 @@ impl<'m> Checker<'m> {
             .iter()
             .map(|c| c.iter().map(|r| (&r.address, r.class)).collect())
             .collect();
-        let rejected: Vec<(Vec<Edit>, Option<String>)> = rejected
+        let rejected: Vec<Candidate> = rejected
             .iter()
             .filter(|(combination, _)| {
                 touched.iter().any(|places| {
@@ -106,16 +105,18 @@ impl<'m> Checker<'m> {
                         .all(|r| places.contains(&(&r.address, r.class)))
                 })
             })
-            .map(|(combination, missing)| (describe(combination), missing.clone()))
+            .map(|(combination, missing)| Candidate {
+                edits: describe(combination),
+                display: edited(&display, combination),
+                missing: missing.clone(),
+            })
             .collect();
-        let passing: Vec<(Vec<Edit>, Display)> = passing
+        let passing: Vec<Candidate> = passing
             .iter()
-            .map(|combination| {
-                let mut candidate = display.clone();
-                for replacement in combination {
-                    replacement.apply(&mut candidate);
-                }
-                (describe(combination), candidate)
+            .map(|combination| Candidate {
+                edits: describe(combination),
+                display: edited(&display, combination),
+                missing: None,
             })
             .collect();
         self.choose(equation, link, passing, rejected, tried)
@@ -126,8 +127,8 @@ impl<'m> Checker<'m> {
         &mut self,
         equation: usize,
         link: &Link,
-        passing: Vec<(Vec<Edit>, Display)>,
-        rejected: Vec<(Vec<Edit>, Option<String>)>,
+        passing: Vec<Candidate>,
+        rejected: Vec<Candidate>,
         tried: usize,
     ) -> Option<(Correction, Certificate)> {
         let before = self.exact.display(equation).clone();
@@ -137,7 +138,7 @@ impl<'m> Checker<'m> {
             Option<crate::verdict::Given>,
             Certificate,
         )> = Vec::new();
-        for (edits, display) in passing {
+        for Candidate { edits, display, .. } in passing {
             self.exact.correct(equation, display.clone());
             let Ok(entries) = self.sides(equation, link) else {
                 continue;
@@ -160,22 +161,27 @@ impl<'m> Checker<'m> {
                 _ => {}
             }
         }
-        self.exact.correct(equation, before);
+        self.exact.correct(equation, before.clone());
         // Identities before equations that need a relation.
         proved.sort_by_key(|(_, _, given, _)| given.is_some());
         let mut proved = proved.into_iter();
         let (edits, display, given, proof) = proved.next()?;
         let places: Vec<_> = edits.iter().map(|e| (e.span, e.class)).collect();
-        let rejected = rejected
+        let as_printed = Candidate {
+            edits: Vec::new(),
+            display: before,
+            missing: None,
+        };
+        let rejected: Vec<Candidate> = [as_printed]
             .into_iter()
-            .filter(|(other, _)| other.iter().all(|e| places.contains(&(e.span, e.class))))
-            .take(REPORTED)
-            .map(|(edits, missing)| Rejected {
-                edits,
-                missing,
-                witness: None,
+            .chain(rejected)
+            .filter(|other| {
+                let mut edits = other.edits.iter();
+                edits.all(|e| places.contains(&(e.span, e.class)))
             })
+            .take(REPORTED)
             .collect();
+        let rejected = self.explain_rejected(link, rejected);
         Some((
             Correction {
                 edits,
@@ -187,6 +193,81 @@ impl<'m> Checker<'m> {
             },
             proof,
         ))
+    }
+
+    /// Where each rejected reading fails: what it names that does not exist, and both sides at the
+    /// reference point.
+    fn explain_rejected(&self, link: &Link, rejected: Vec<Candidate>) -> Vec<Rejected> {
+        let point = self.reference_point();
+        let shown: Vec<(usize, BigRational)> = (0..point.len())
+            .filter(|l| self.has_reference(*l))
+            .map(|l| (l, point[l].clone()))
+            .collect();
+        let mut evaluator =
+            self.evaluator_at(Rationals, point, |value, point| value.evaluate(point).ok());
+        rejected
+            .into_iter()
+            .map(|candidate| {
+                let mut missing = candidate.missing;
+                evaluator.lenient = false;
+                if let Err(Failure {
+                    kind: FailureKind::Outside { name },
+                    ..
+                }) = sides_of(&mut evaluator, &candidate.display, link)
+                {
+                    missing = Some(name);
+                }
+                evaluator.lenient = true;
+                let witness = sides_of(&mut evaluator, &candidate.display, link)
+                    .ok()
+                    .and_then(|pairs| {
+                        pairs.into_iter().find_map(|(indices, left, right)| {
+                            let (place, left, right) = first_difference(&left, &right)?;
+                            Some(Witness {
+                                point: shown.clone(),
+                                left,
+                                right,
+                                place,
+                                indices,
+                            })
+                        })
+                    });
+                Rejected {
+                    edits: candidate.edits,
+                    missing,
+                    witness,
+                }
+            })
+            .collect()
+    }
+
+    /// An evaluator over another field at a point, whose names have the images of their exact
+    /// values.
+    fn evaluator_at<D>(
+        &self,
+        field: D,
+        point: Vec<D::Element>,
+        image: impl Fn(&RationalFunction, &[D::Element]) -> Option<D::Element> + 'm,
+    ) -> Evaluator<'m, D>
+    where
+        D: Domain + 'm,
+    {
+        let mut exact = super::symbolic(self.model);
+        for (equation, display) in self.exact.corrections() {
+            exact.correct(*equation, display.clone());
+        }
+        let at = point.clone();
+        let provider = move |key: &Key| -> Option<Result<Value<D::Element>, Failure>> {
+            let span = crate::span::Span::default();
+            let value = match exact.value_of(key.clone(), span) {
+                Ok(value) => value,
+                Err(failure) => return Some(Err(failure)),
+            };
+            let image = value
+                .try_map(|e| image(e, &at).ok_or(Failure::new(FailureKind::DivisionByZero, span)));
+            Some(image)
+        };
+        Evaluator::new(self.model, field, point).with_provider(Box::new(provider))
     }
 
     /// The filter modulo the prime: names have their exact values there.
@@ -207,23 +288,7 @@ impl<'m> Checker<'m> {
                 point[*letter] = image;
             }
         }
-        let exact = Rc::new(RefCell::new(super::symbolic(model)));
-        for (equation, display) in self.exact.corrections() {
-            exact.borrow_mut().correct(*equation, display.clone());
-        }
-        let at = point.clone();
-        let provider = move |key: &Key| -> Option<Result<Value<u64>, Failure>> {
-            let span = crate::span::Span::default();
-            let value = match exact.borrow_mut().value_of(key.clone(), span) {
-                Ok(value) => value,
-                Err(failure) => return Some(Err(failure)),
-            };
-            let image = value.try_map(|e| {
-                residue(e, &at).ok_or(Failure::new(FailureKind::DivisionByZero, span))
-            });
-            Some(image)
-        };
-        let evaluator = Evaluator::new(model, PrimeField, point).with_provider(Box::new(provider));
+        let evaluator = self.evaluator_at(PrimeField, point, residue);
         Filter { evaluator }
     }
 }
@@ -263,37 +328,81 @@ struct Filter<'m> {
 
 impl Filter<'_> {
     fn passes(&mut self, display: &Display, link: &Link) -> Passing {
-        let (Some(left), Some(right)) = (link.left.find(display), link.right.find(display)) else {
-            return Passing::Differs;
-        };
-        let ranges = &display.clauses[link.left.clause()].ranges;
-        let mut bounds = Vec::new();
-        for range in ranges {
-            match (
-                self.evaluator.integer(&range.from),
-                self.evaluator.integer(&range.to),
-            ) {
-                (Ok(from), Ok(to)) => bounds.push((from, to)),
-                _ => return Passing::Differs,
-            }
+        match sides_of(&mut self.evaluator, display, link) {
+            Ok(pairs) if pairs.iter().all(|(_, l, r)| same(l, r)) => Passing::Agrees,
+            Err(Failure {
+                kind: FailureKind::Outside { name },
+                ..
+            }) => Passing::Missing(name),
+            _ => Passing::Differs,
         }
-        let names: Vec<String> = ranges.iter().map(|r| latex::canonical(&r.index)).collect();
-        for tuple in index_tuples(&bounds) {
-            let indices: Vec<(String, i64)> = names.iter().cloned().zip(tuple).collect();
-            let sides = self.evaluator.with_indices(&indices, |e| {
-                Ok((e.expression(left)?, e.expression(right)?))
-            });
-            match sides {
-                Ok((l, r)) if same(&l, &r) => {}
-                Err(Failure {
-                    kind: FailureKind::Outside { name },
-                    ..
-                }) => return Passing::Missing(name),
-                _ => return Passing::Differs,
-            }
-        }
-        Passing::Agrees
     }
+}
+
+/// A candidate with its changes, and what it names that does not exist.
+struct Candidate {
+    edits: Vec<Edit>,
+    display: Display,
+    missing: Option<String>,
+}
+
+fn edited(display: &Display, combination: &[&Replacement]) -> Display {
+    let mut candidate = display.clone();
+    for replacement in combination {
+        replacement.apply(&mut candidate);
+    }
+    candidate
+}
+
+/// Both sides of a link for every value of its running indices.
+type Sides<E> = Vec<(Vec<(String, i64)>, Value<E>, Value<E>)>;
+
+fn sides_of<D: Domain>(
+    evaluator: &mut Evaluator<'_, D>,
+    display: &Display,
+    link: &Link,
+) -> Result<Sides<D::Element>, Failure> {
+    let missing = || Failure::unsupported("a link without its sides", Default::default());
+    let left = link.left.find(display).ok_or_else(missing)?;
+    let right = link.right.find(display).ok_or_else(missing)?;
+    let ranges = &display.clauses[link.left.clause()].ranges;
+    let mut bounds = Vec::new();
+    for range in ranges {
+        bounds.push((
+            evaluator.integer(&range.from)?,
+            evaluator.integer(&range.to)?,
+        ));
+    }
+    let names: Vec<String> = ranges.iter().map(|r| latex::canonical(&r.index)).collect();
+    let mut pairs = Vec::new();
+    for tuple in index_tuples(&bounds) {
+        let indices: Vec<(String, i64)> = names.iter().cloned().zip(tuple).collect();
+        let (l, r) = evaluator.with_indices(&indices, |e| {
+            Ok((e.expression(left)?, e.expression(right)?))
+        })?;
+        pairs.push((indices, l, r));
+    }
+    Ok(pairs)
+}
+
+/// The first entry in which two values differ: its place, and both numbers.
+fn first_difference(
+    left: &Value<BigRational>,
+    right: &Value<BigRational>,
+) -> Option<(Option<(usize, usize)>, BigRational, BigRational)> {
+    let (rows, columns) = left.shape().or(right.shape())?;
+    let at = |value: &Value<BigRational>, i: usize, j: usize| match value {
+        Value::Matrix(m) if m.shape() == (rows, columns) => Some(m[(i, j)].clone()),
+        Value::Matrix(_) => None,
+        Value::Scalar(s) => Some(s.clone()),
+        Value::Zero => Some(Rationals.integer(0)),
+    };
+    (0..rows * columns).find_map(|k| {
+        let (i, j) = (k / columns, k % columns);
+        let (l, r) = (at(left, i, j)?, at(right, i, j)?);
+        let place = (rows * columns > 1).then_some((i + 1, j + 1));
+        (l != r).then_some((place, l, r))
+    })
 }
 
 fn same(left: &Value<u64>, right: &Value<u64>) -> bool {
@@ -306,7 +415,6 @@ fn same(left: &Value<u64>, right: &Value<u64>) -> bool {
 }
 
 fn residue(value: &RationalFunction, point: &[u64]) -> Option<u64> {
-    use crate::domain::Domain;
     let top = value.numerator().evaluate_mod(point, PRIME).ok()?;
     let bottom = value.denominator().evaluate_mod(point, PRIME).ok()?;
     PrimeField.divide(&top, &bottom)

@@ -79,6 +79,34 @@ impl Checker<'_> {
         (1..=TRIES).find_map(|k| self.witness_at(entry, |_, position| small(position, k)))
     }
 
+    /// Whether a letter is a declared symbol with a reference value.
+    pub(crate) fn has_reference(&self, letter: usize) -> bool {
+        match self.model.letters[letter] {
+            Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol].value.is_some(),
+            _ => false,
+        }
+    }
+
+    /// A value for each letter: the reference values of the declared symbols where they have any,
+    /// small integers for the others, and for the abbreviations what their definitions say.
+    pub(crate) fn reference_point(&self) -> Vec<BigRational> {
+        let mut point: Vec<BigRational> = (0..self.model.letters.len())
+            .map(|letter| match self.model.letters[letter] {
+                Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol]
+                    .value
+                    .clone()
+                    .unwrap_or_else(|| small(letter, 1)),
+                _ => small(letter, 1),
+            })
+            .collect();
+        for (letter, value) in &self.inserted {
+            if let Ok(value) = value.evaluate(&point) {
+                point[*letter] = value;
+            }
+        }
+        point
+    }
+
     fn witness_at(
         &self,
         entry: &ResidualEntry,

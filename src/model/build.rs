@@ -1,11 +1,11 @@
 //! From a document to a model: tables first, then every equation's definitions, then its claims;
 //! all errors are collected before any is reported.
 
+use super::letters::{letters, plain_name};
 use super::links::{self, Place};
 use super::names::{self, Names};
 use super::{
-    Definition, DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind, Role,
-    Symbol, System,
+    Definition, DefinitionKind, Equation, Model, Node, Notation, NotationKind, Role, Symbol, System,
 };
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::{self, Document};
@@ -16,9 +16,6 @@ use num_traits::ToPrimitive;
 use ratpoly::{Order, Ring};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How many orders of time derivatives beyond the printed ones have letters of their own: one for
-/// differentiating the equations once, one for restoring a lost dot.
-const SPARE_DERIVATIVES: u8 = 2;
 /// The largest range that an index may be declared to run over.
 const LARGEST_RANGE: i64 = 1000;
 
@@ -509,28 +506,6 @@ impl Builder {
     }
 }
 
-/// The letters of the ring but for the abbreviations: each symbol, each process with as many time
-/// derivatives as are printed and a few more.
-fn letters(symbols: &[Symbol], equations: &[Equation]) -> Vec<Letter> {
-    let mut dots = 0;
-    for equation in equations {
-        each_expression(&equation.display, &mut |e| {
-            if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
-                dots = dots.max(name.dots);
-            }
-        });
-    }
-    let mut letters = Vec::new();
-    for (symbol, s) in symbols.iter().enumerate() {
-        let orders = match s.function_of {
-            Some(_) => dots + SPARE_DERIVATIVES,
-            None => 0,
-        };
-        letters.extend((0..=orders).map(|order| Letter::Symbol { symbol, order }));
-    }
-    letters
-}
-
 /// Calls `see` on every expression of a display, including the labels of underbraces.
 pub(super) fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr)) {
     for clause in &display.clauses {
@@ -542,116 +517,5 @@ pub(super) fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a
                 links::visit(member, see);
             }
         }
-    }
-}
-
-/// A name with nothing but letters, digits and underscores.
-fn plain(name: &Name) -> String {
-    let mut text = String::new();
-    for c in latex::canonical(name).chars() {
-        if c.is_ascii_alphanumeric() {
-            text.push(c);
-        } else if !text.is_empty() && !text.ends_with('_') {
-            text.push('_');
-        }
-    }
-    let text = text.trim_end_matches('_').to_string();
-    if text.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        text
-    } else {
-        format!("x_{text}")
-    }
-}
-
-/// An identifier for a letter in the plain notation of the polynomial crate.
-fn plain_name(symbols: &[Symbol], letter: &Letter) -> String {
-    match letter {
-        Letter::Symbol { symbol, order } => {
-            let base = plain(&symbols[*symbol].name);
-            match order {
-                0 => base,
-                n => format!("{base}_t{n}"),
-            }
-        }
-        Letter::Abbreviation { definition } => format!("definition_{definition}"),
-    }
-}
-
-impl Model {
-    /// Finds the abbreviations and gives each a letter of the ring.
-    fn name_abbreviations(&mut self) {
-        let mut found = true;
-        while found {
-            found = false;
-            for d in 0..self.definitions.len() {
-                if self.definitions[d].letter.is_none() && self.is_abbreviation(d) {
-                    self.definitions[d].letter = Some(self.letters.len());
-                    self.letters.push(Letter::Abbreviation { definition: d });
-                    found = true;
-                }
-            }
-        }
-        // Abbreviations first: they are the letters that the claims are printed in.
-        self.letters.sort_by_key(|l| match l {
-            Letter::Abbreviation { definition } => (0, *definition, 0),
-            Letter::Symbol { symbol, order } => (1, *symbol, *order),
-        });
-        for (position, letter) in self.letters.iter().enumerate() {
-            if let Letter::Abbreviation { definition } = letter {
-                self.definitions[*definition].letter = Some(position);
-            }
-        }
-        let mut taken: BTreeSet<String> = BTreeSet::new();
-        let names: Vec<String> = self
-            .letters
-            .iter()
-            .map(|letter| {
-                let mut name = match letter {
-                    Letter::Abbreviation { definition } => {
-                        plain(&self.definitions[*definition].name)
-                    }
-                    symbol => plain_name(&self.symbols, symbol),
-                };
-                while !taken.insert(name.clone()) {
-                    name.push('_');
-                }
-                name
-            })
-            .collect();
-        if let Ok(ring) = Ring::new(names, Order::Grevlex) {
-            self.ring = ring;
-        }
-    }
-
-    /// A scalar defined by arithmetic on constant symbols and other abbreviations.
-    fn is_abbreviation(&self, d: usize) -> bool {
-        let definition = &self.definitions[d];
-        let equation = &self.equations[definition.equation];
-        let plain = matches!(definition.kind, DefinitionKind::Whole)
-            && equation.role == Role::Define
-            && matches!(definition.place, Place::Member { .. });
-        let Some(value) = definition.place.find(&equation.display).filter(|_| plain) else {
-            return false;
-        };
-        let mut arithmetic = true;
-        let mut letters = 0;
-        links::visit(value, &mut |e| match &e.kind {
-            ExprKind::Number(_)
-            | ExprKind::Sum(_)
-            | ExprKind::Product(_)
-            | ExprKind::Quotient { .. }
-            | ExprKind::Power { .. }
-            | ExprKind::Group { .. } => {}
-            ExprKind::Name(name) => {
-                letters += 1;
-                arithmetic &= match self.names.whole.get(&latex::canonical(name)) {
-                    Some(Node::Symbol(s)) => self.symbols[*s].function_of.is_none(),
-                    Some(Node::Definition(other)) => self.definitions[*other].letter.is_some(),
-                    _ => false,
-                };
-            }
-            _ => arithmetic = false,
-        });
-        arithmetic && letters > 0
     }
 }

@@ -5,6 +5,7 @@
 
 mod build;
 mod cycles;
+mod letters;
 pub mod links;
 pub mod names;
 
