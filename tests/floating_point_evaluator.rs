@@ -162,7 +162,7 @@ impl Resolver for Table {
         format!("{bold}{}", name.letter.base)
     }
 
-    fn resolve<'n>(&self, name: &'n Name, bound: &dyn Fn(&str) -> bool) -> Reference<'n, usize> {
+    fn resolve<'n>(&'n self, name: &'n Name, bound: &dyn Fn(&str) -> bool) -> Reference<'n, usize> {
         let key = self.canonical(name);
         if bound(&key) {
             return Reference::Bound(key);
@@ -180,14 +180,19 @@ impl Resolver for Table {
         }
     }
 
-    fn element(&self, family: &str, indices: &[i64]) -> Option<Element<usize>> {
-        let node = *self.names.get(family)?;
-        Some(match self.entries[node] {
+    fn elements(&self, family: &str, indices: &[i64]) -> Vec<Element<usize>> {
+        let of = |node: &usize| match self.entries[*node] {
             Entry::Family(..) | Entry::Coefficient(_) | Entry::Cofactor(_) | Entry::Minor(_) => {
-                Element::Member(node, indices.to_vec())
+                Element::Member(*node, indices.to_vec())
             }
-            _ => Element::Entry(node, indices.to_vec()),
-        })
+            _ => Element::Entry(*node, indices.to_vec()),
+        };
+        // A second family of the same letter.
+        let second = format!("{family}'");
+        [family, second.as_str()]
+            .iter()
+            .filter_map(|name| self.names.get(*name).map(of))
+            .collect()
     }
 
     fn power(&self, base: &Name, exponent: u32) -> Option<(usize, u32)> {
@@ -377,6 +382,23 @@ fn a_recursion_without_a_start_is_cut_off() {
     assert_eq!(failure(&table, &nested), FailureKind::Budget);
     // Dropping so deep a tree would itself overflow the stack; a parser never builds one.
     std::mem::forget(nested);
+}
+
+#[test]
+fn of_two_readings_of_an_index_the_one_that_exists_is_taken() {
+    let table = companion()
+        .with("S", Entry::Minor(n("!H")))
+        .with("S'", Entry::Cofactor(n("!H")));
+    let one = indexed("S", vec![number(3)]);
+    assert_relative_eq!(scalar(&table, &one), 8.0);
+    let two = indexed("S", vec![number(2), number(1)]);
+    let ambiguous = FailureKind::Unsupported("an index with two readings");
+    assert_eq!(failure(&table, &two), ambiguous);
+    let none = indexed("S", vec![number(7)]);
+    assert_eq!(
+        failure(&table, &none),
+        FailureKind::Outside { indices: vec![7] }
+    );
 }
 
 #[test]

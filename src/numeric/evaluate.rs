@@ -309,13 +309,23 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
         for index in indices {
             values.push(self.integer(index)?);
         }
-        match self.resolver.element(family, &values) {
-            Some(Element::Member(node, indices)) => self.node((node, indices), span),
-            Some(Element::Entry(node, indices)) => {
-                let matrix = self.node((node, Vec::new()), span)?;
-                entry(matrix, &indices, span)
+        let mut existing = Vec::new();
+        for element in self.resolver.elements(family, &values) {
+            let value = match element {
+                Element::Member(node, indices) => self.node((node, indices), span),
+                Element::Entry(node, indices) => self
+                    .node((node, Vec::new()), span)
+                    .and_then(|matrix| entry(matrix, &indices, span)),
+            };
+            match value {
+                Err(failure) if matches!(failure.kind, FailureKind::Outside { .. }) => {}
+                other => existing.push(other?),
             }
+        }
+        match existing.pop() {
             None => Err(outside(&values, span)),
+            Some(value) if existing.is_empty() => Ok(value),
+            Some(_) => Err(Failure::unsupported("an index with two readings", span)),
         }
     }
 

@@ -89,13 +89,14 @@ pub trait Resolver {
 
     /// What a name refers to where the indices in `bound` have values.
     fn resolve<'n>(
-        &self,
+        &'n self,
         name: &'n Name,
         bound: &dyn Fn(&str) -> bool,
     ) -> Reference<'n, Self::Node>;
 
-    /// The member or entry with these indices; none where there is none.
-    fn element(&self, family: &str, indices: &[i64]) -> Option<Element<Self::Node>>;
+    /// The members and entries that a family with these indices can mean; `H_{11}` has two readings
+    /// beside both `H_i` and `H_{i,j}`, of which one exists.
+    fn elements(&self, family: &str, indices: &[i64]) -> Vec<Element<Self::Node>>;
 
     /// The node that defines a power of this base, as `\sigma^2 = ...` does, and the power of it that
     /// is meant.
