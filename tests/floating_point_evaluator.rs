@@ -408,7 +408,7 @@ fn every_method_solves_the_printed_lyapunov_equation() {
     for method in LyapunovMethod::ALL {
         let mut evaluator = Evaluator::new(&table, method);
         let value = evaluator.value(&n("!X")).unwrap();
-        assert_eq!(evaluator.solved_by(0), Some(method));
+        assert_eq!(evaluator.solved(0).map(|s| s.method), Some(method));
         let residual = evaluator.value(&lyapunov()).unwrap();
         match (value, residual) {
             (Value::Matrix(x), Value::Matrix(r)) => {
@@ -451,7 +451,10 @@ fn the_form_is_recognised_however_it_is_written() {
         let table = companion().solve("!X", left.clone(), right.clone());
         let mut evaluator = Evaluator::new(&table, LyapunovMethod::Smith);
         evaluator.value(&n("!X")).unwrap();
-        assert_eq!(evaluator.solved_by(0), Some(LyapunovMethod::Smith));
+        assert_eq!(
+            evaluator.solved(0).map(|s| s.method),
+            Some(LyapunovMethod::Smith)
+        );
         let residual = evaluator.value(&minus(left, right)).unwrap();
         assert!(residual.into_matrix((3, 3)).amax() < 1e-13);
     }
@@ -496,7 +499,7 @@ fn other_linear_equations_go_other_ways() {
         let table = companion().solve("!X", left.clone(), n("!0"));
         let mut evaluator = Evaluator::new(&table, asked);
         let solution = evaluator.value(&n("!X")).unwrap();
-        assert_eq!(evaluator.solved_by(0), Some(used));
+        assert_eq!(evaluator.solved(0).map(|s| s.method), Some(used));
         let residual = evaluator.value(&left).unwrap();
         let size = solution.into_matrix((3, 3)).amax();
         assert!(residual.into_matrix((3, 3)).amax() < 1e-13 * size.max(1.0));

@@ -10,6 +10,7 @@ use super::characteristic::faddeev_leverrier;
 use super::hurwitz::hurwitz_matrix;
 use super::linear::determinant;
 use super::resolver::{Element, Meaning, Reference, Resolver};
+use super::unknowns::SolvedSystem;
 use super::value::{Failure, FailureKind, Value};
 use super::{LyapunovMethod, NumericError};
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
@@ -43,8 +44,8 @@ pub struct Evaluator<'r, R: Resolver> {
     pub(super) trial: BTreeMap<(usize, usize), Value>,
     /// Whether a trial value was used since this was last cleared.
     pub(super) touched: bool,
-    /// Solutions with the methods that gave them.
-    pub(super) solved: BTreeMap<usize, (LyapunovMethod, Vec<Value>)>,
+    /// The systems that are solved.
+    pub(super) solved: BTreeMap<usize, SolvedSystem>,
 }
 
 impl<'r, R: Resolver> Evaluator<'r, R> {
@@ -78,10 +79,9 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
         }
     }
 
-    /// The method that solved a system: the one asked for, or [`LyapunovMethod::Kronecker`] where
-    /// the system is no Lyapunov equation. None before it was needed.
-    pub fn solved_by(&self, system: usize) -> Option<LyapunovMethod> {
-        self.solved.get(&system).map(|(method, _)| *method)
+    /// A system that an earlier value needed: how it was solved and its solution.
+    pub fn solved(&self, system: usize) -> Option<&SolvedSystem> {
+        self.solved.get(&system)
     }
 
     /// Runs `body` with an index bound to a value.

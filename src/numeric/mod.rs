@@ -34,6 +34,7 @@ pub mod hurwitz;
 pub mod kreisselmeier;
 pub mod kronecker;
 pub mod linear;
+pub mod point;
 pub mod quadrature;
 pub mod resolver;
 pub mod sample;
@@ -41,7 +42,8 @@ pub mod simulation;
 pub mod smith;
 pub mod spectral;
 pub mod spectrum;
-mod unknowns;
+pub mod sylvester_form;
+pub mod unknowns;
 pub mod value;
 
 /// Why a floating-point method gives no result.

@@ -1,0 +1,232 @@
+//! A document's model at a point: every letter has a double, every name a meaning.
+//!
+//! The point is the doubles themselves. The exact engine is compared at the very same point, so
+//! [`Point::exact`] gives the doubles as rationals, and not the decimal numbers they came from.
+
+use super::NumericError;
+use super::agreement::nearest;
+use super::resolver::{Element, Meaning, Reference, Resolver, System};
+use super::sample::{Range, Sampler};
+use crate::document::{Numeric, Scale};
+use crate::expr::{Display, Expr, ExprKind, Font, Name};
+use crate::latex;
+use crate::model::names::{self, Resolved};
+use crate::model::{DefinitionKind, Model, Node, NotationKind};
+use num_rational::BigRational;
+use std::collections::BTreeMap;
+
+/// A model with a double for each of its symbols that has one.
+#[derive(Clone, Debug)]
+pub struct Point<'m> {
+    model: &'m Model,
+    values: Vec<Option<f64>>,
+    corrected: BTreeMap<usize, Display>,
+}
+
+/// A point and what the document calls it.
+#[derive(Clone, Debug)]
+pub struct NamedPoint<'m> {
+    /// Its name, or `sample 7`.
+    pub name: String,
+    /// The point.
+    pub point: Point<'m>,
+}
+
+impl<'m> Point<'m> {
+    /// The reference values of the document, each rounded to the nearest double.
+    pub fn reference(model: &'m Model) -> Self {
+        let nearest = |value: &Option<BigRational>| value.as_ref().and_then(nearest);
+        Point {
+            model,
+            values: model.symbols.iter().map(|s| nearest(&s.value)).collect(),
+            corrected: BTreeMap::new(),
+        }
+    }
+
+    /// The point with another value of one symbol.
+    #[must_use]
+    pub fn with(mut self, symbol: usize, value: f64) -> Self {
+        if let Some(place) = self.values.get_mut(symbol) {
+            *place = Some(value);
+        }
+        self
+    }
+
+    /// The point with a corrected display in place of an equation's printed one.
+    #[must_use]
+    pub fn corrected(mut self, equation: usize, display: Display) -> Self {
+        self.corrected.insert(equation, display);
+        self
+    }
+
+    /// The value of each symbol, in the order of the model.
+    pub fn values(&self) -> &[Option<f64>] {
+        &self.values
+    }
+
+    /// The same values as exact rationals.
+    pub fn exact(&self) -> Vec<Option<BigRational>> {
+        self.values
+            .iter()
+            .map(|value| value.and_then(BigRational::from_float))
+            .collect()
+    }
+
+    /// The named points and the seeded samples of a document's numeric table, in its order.
+    ///
+    /// [`NumericError::Range`] where a range or a value is no range of doubles; letters that the
+    /// model does not declare are left out.
+    pub fn of_table(
+        model: &'m Model,
+        table: &Numeric,
+    ) -> Result<Vec<NamedPoint<'m>>, NumericError> {
+        let mut points = Vec::new();
+        for named in &table.points {
+            let mut point = Point::reference(model);
+            for (letter, value) in &named.values {
+                if let Some(symbol) = symbol(model, &letter.text) {
+                    let value = nearest(value).ok_or(NumericError::Range)?;
+                    point = point.with(symbol, value);
+                }
+            }
+            points.push(NamedPoint {
+                name: named.name.text.clone(),
+                point,
+            });
+        }
+        let mut sampler = Sampler::new(table.seed);
+        for number in 1..=table.samples {
+            let mut point = Point::reference(model);
+            for range in &table.ranges {
+                let low = nearest(&range.low).ok_or(NumericError::Range)?;
+                let high = nearest(&range.high).ok_or(NumericError::Range)?;
+                let value = match table.scale {
+                    Scale::Logarithmic => sampler.coordinate(Range::new(low, high)?),
+                    Scale::Linear => sampler.uniform(low, high)?,
+                };
+                if let Some(symbol) = symbol(model, &range.name.text) {
+                    point = point.with(symbol, value);
+                }
+            }
+            points.push(NamedPoint {
+                name: format!("sample {number}"),
+                point,
+            });
+        }
+        Ok(points)
+    }
+
+    fn display(&self, equation: usize) -> Option<&Display> {
+        self.corrected
+            .get(&equation)
+            .or_else(|| self.model.equations.get(equation).map(|e| &e.display))
+    }
+}
+
+/// The symbol with this printed name.
+fn symbol(model: &Model, printed: &str) -> Option<usize> {
+    let name = latex::canonical(&latex::parse_name(printed, 0).ok()?);
+    model
+        .symbols
+        .iter()
+        .position(|s| latex::canonical(&s.name) == name)
+}
+
+impl Resolver for Point<'_> {
+    type Node = Node;
+
+    fn canonical(&self, name: &Name) -> String {
+        latex::canonical(name)
+    }
+
+    fn resolve<'n>(&'n self, name: &'n Name, bound: &dyn Fn(&str) -> bool) -> Reference<'n, Node> {
+        match self.model.resolve(name, bound) {
+            Err(_) => Reference::Undeclared,
+            Ok(Resolved::Bound(index)) => Reference::Bound(index),
+            Ok(Resolved::Letter { symbol, order: 0 }) => Reference::Node(Node::Symbol(symbol)),
+            Ok(Resolved::Node {
+                node,
+                derivatives: 0,
+            }) => Reference::Node(node),
+            Ok(Resolved::Letter { .. } | Resolved::Node { .. }) => Reference::WithoutValue,
+            Ok(Resolved::Indexed { key, indices }) => Reference::Indexed {
+                family: key,
+                indices,
+            },
+        }
+    }
+
+    fn elements(&self, family: &str, indices: &[i64]) -> Vec<Element<Node>> {
+        self.model
+            .elements(&family.to_string(), indices)
+            .into_iter()
+            .map(|element| match element {
+                names::Element::Node(node) => Element::Member(node, Vec::new()),
+                names::Element::Member(node, indices) => Element::Member(node, indices),
+                names::Element::Entry(node, indices) => Element::Entry(node, indices),
+            })
+            .collect()
+    }
+
+    fn power(&self, base: &Name, exponent: u32) -> Option<(Node, u32)> {
+        self.model.power_node(base, exponent)
+    }
+
+    fn is_plain_application(&self, function: &Name, arguments: &[Expr]) -> bool {
+        arguments.iter().all(|argument| {
+            matches!(&argument.kind, ExprKind::Name(name)
+                if self.model.is_argument_of(function, &latex::canonical(name)))
+        })
+    }
+
+    fn meaning(&self, node: Node, indices: &[i64]) -> Option<Meaning<'_>> {
+        match node {
+            Node::Symbol(symbol) => Some(Meaning::Number(*self.values.get(symbol)?)),
+            Node::Unknown { system, position } => Some(Meaning::Unknown { system, position }),
+            Node::Definition(definition) => {
+                let definition = self.model.definitions.get(definition)?;
+                let bound = match &definition.kind {
+                    DefinitionKind::Family { indices: names, .. } => {
+                        names.iter().cloned().zip(indices.iter().copied()).collect()
+                    }
+                    _ => Vec::new(),
+                };
+                let expr = definition.place.find(self.display(definition.equation)?)?;
+                Some(Meaning::Expression { expr, bound })
+            }
+            Node::Notation(notation) => Some(match &self.model.notation.get(notation)?.kind {
+                NotationKind::Identity(n) => Meaning::Identity(*n),
+                NotationKind::Zero => Meaning::Zero,
+                NotationKind::CharacteristicCoefficient(of) => {
+                    Meaning::CharacteristicCoefficient(of)
+                }
+                NotationKind::Cofactor(of) => Meaning::Cofactor(of),
+                NotationKind::LeadingMinor(of) => Meaning::LeadingMinor(of),
+                NotationKind::Entry(of) => Meaning::Entry(of),
+                NotationKind::HurwitzMatrix(of) => Meaning::HurwitzMatrix(of),
+                NotationKind::Means(expr) => Meaning::Expression {
+                    expr,
+                    bound: Vec::new(),
+                },
+            }),
+        }
+    }
+
+    fn system(&self, system: usize) -> Option<System<'_>> {
+        let system = self.model.systems.get(system)?;
+        let display = self.display(system.equation)?;
+        Some(System {
+            equations: display
+                .clauses
+                .iter()
+                .flat_map(|clause| clause.chain.members.windows(2))
+                .map(|pair| (&pair[0], &pair[1]))
+                .collect(),
+            matrices: system
+                .unknowns
+                .iter()
+                .map(|unknown| unknown.letter.font == Font::Bold)
+                .collect(),
+        })
+    }
+}
