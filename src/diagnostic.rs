@@ -162,6 +162,20 @@ pub enum DiagnosticKind {
         /// The value.
         value: String,
     },
+    /// A unit that cannot be read.
+    BadUnit {
+        /// As written.
+        unit: String,
+        /// What is wrong with it.
+        message: String,
+    },
+    /// A value in a unit such as `kN` or `h`, which formulas of numbers cannot take.
+    IncoherentUnit {
+        /// As written.
+        unit: String,
+        /// The same in SI base units.
+        coherent: String,
+    },
     /// A range from which nothing can be drawn.
     EmptyRange {
         /// Its lower end.

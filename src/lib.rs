@@ -13,4 +13,5 @@ pub mod model;
 pub mod numeric;
 pub mod span;
 pub mod theory;
+pub mod unit;
 pub mod verdict;

@@ -195,6 +195,20 @@ fn every_kind_has_words() {
             "`m` is declared positive, but its value is -1",
         ),
         (
+            DiagnosticKind::BadUnit {
+                unit: "ft".into(),
+                message: s(),
+            },
+            "`ft` is not a unit: stuff",
+        ),
+        (
+            DiagnosticKind::IncoherentUnit {
+                unit: "kN".into(),
+                coherent: "kg m/s^2".into(),
+            },
+            "give the value in kg m/s^2",
+        ),
+        (
             DiagnosticKind::EmptyRange {
                 low: "2".into(),
                 high: "1".into(),

@@ -175,6 +175,16 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "not positive".into(),
             "correct the value, or leave out `positive`".into(),
         ),
+        DiagnosticKind::BadUnit { unit, message } => (
+            format!("{} is not a unit: {message}", quote(unit)),
+            "not a unit".into(),
+            "write SI units as in \"kg\", \"N s/m\", \"m^2/s\", \"J/(kg K)\", \"1\"".into(),
+        ),
+        DiagnosticKind::IncoherentUnit { unit, coherent } => (
+            format!("a value in {} is not a number that formulas can take", quote(unit)),
+            "has a prefix or a factor".into(),
+            format!("give the value in {coherent}"),
+        ),
         DiagnosticKind::EmptyRange {
             low,
             high,

@@ -4,6 +4,7 @@ use super::Text;
 use super::number::write_number;
 use super::table::{Entries, Fields, Value, ValueKind, string};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::unit::Unit;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
@@ -86,6 +87,24 @@ fn symbol(name: Text, value: Value, report: &mut Vec<Diagnostic>) -> Symbol {
             },
             *span,
         ));
+    }
+    if let Some(unit) = &unit {
+        let kind = match Unit::parse(&unit.text) {
+            Err(message) => Some(DiagnosticKind::BadUnit {
+                unit: unit.text.clone(),
+                message,
+            }),
+            // Formulas add numbers, not quantities: a value in kN would be wrong by a thousand.
+            Ok(parsed) if !parsed.coherent && number.is_some() => {
+                Some(DiagnosticKind::IncoherentUnit {
+                    unit: unit.text.clone(),
+                    coherent: parsed.dimension.to_string(),
+                })
+            }
+            Ok(_) => None,
+        };
+        let diagnostic = kind.map(|kind| Diagnostic::new(kind, unit.span));
+        fields.report().extend(diagnostic);
     }
     fields.finish();
     Symbol {

@@ -337,6 +337,21 @@ fn values_fit_what_is_said_of_them() {
 }
 
 #[test]
+fn units_are_si_and_values_are_in_coherent_ones() {
+    let text = with("```toml symbols\na = { unit = \"ft\" }\nb = { unit = \"km\" }\n```");
+    assert!(matches!(
+        &kinds(&text)[..],
+        [DiagnosticKind::BadUnit { unit, .. }] if unit == "ft"
+    ));
+    assert_eq!(place(&text), "ft");
+    let text = with("```toml symbols\na = { unit = \"km\", value = \"1\" }\n```");
+    assert!(matches!(
+        &kinds(&text)[..],
+        [DiagnosticKind::IncoherentUnit { coherent, .. }] if coherent == "m"
+    ));
+}
+
+#[test]
 fn types_are_checked() {
     for fence in [
         "```toml symbols\na = \"kg\"\n```",
