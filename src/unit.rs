@@ -11,6 +11,7 @@
 //! suspect is given up and its units are found out anew from its other uses.
 
 mod agreement;
+mod audit;
 mod dimension;
 mod finding;
 mod infer;
@@ -23,12 +24,13 @@ mod shape;
 mod tests;
 mod unification;
 
+pub use audit::audit;
 pub use dimension::{Base, Dimension};
 pub use finding::{UnitFinding, UnitSite};
-pub use names::Convention;
 pub use parse::Unit;
 
 use crate::expr::{Chain, Clause, Display, Expr, ExprKind, IndexRange, Name, Relation};
+use crate::model::NotationKind;
 use crate::span::Span;
 use infer::{Checker, RANGE_LIMIT};
 use measure::Measure;
@@ -70,10 +72,10 @@ impl Units {
     }
 
     /// A name with a meaning by convention; the indices of a pattern stand for any.
-    pub fn declare_convention(&mut self, name: &Name, convention: Convention) {
+    pub fn declare_notation(&mut self, name: &Name, convention: NotationKind) {
         let arity = match convention {
-            Convention::CharacteristicCoefficient(_) | Convention::LeadingMinor(_) => 1,
-            Convention::Cofactor(_) | Convention::Entry(_) => 2,
+            NotationKind::CharacteristicCoefficient(_) | NotationKind::LeadingMinor(_) => 1,
+            NotationKind::Cofactor(_) | NotationKind::Entry(_) => 2,
             _ => {
                 self.names.conventions.insert(key(name), convention);
                 return;

@@ -4,9 +4,10 @@ use super::dimension::{Base, Dimension};
 use super::finding::UnitSite;
 use super::infer::{Checker, DEPTH_LIMIT};
 use super::measure::{Entry, Measure};
-use super::names::{Convention, Origin, family_key, key, whole, with_arity};
+use super::names::{Origin, family_key, key, whole, with_arity};
 use crate::expr::{Expr, Name, Subscript};
 use crate::latex::write_expr;
+use crate::model::NotationKind;
 use crate::span::Span;
 
 impl Checker<'_> {
@@ -45,16 +46,16 @@ impl Checker<'_> {
         }
         let convention = self.names.conventions.get(known_as).cloned()?;
         Some(self.nested(|checker| match convention {
-            Convention::Identity(order) => {
+            NotationKind::Identity(order) => {
                 let entries = (0..order * order).map(|at| Entry {
                     dimension: (at % (order + 1) == 0).then(Dimension::one),
                     span,
                 });
                 Measure::matrix(order, entries.collect())
             }
-            Convention::Zero => Measure::Zero,
-            Convention::Means(expr) => checker.measure(&expr),
-            Convention::HurwitzMatrix(of) => checker.hurwitz(&of, span),
+            NotationKind::Zero => Measure::Zero,
+            NotationKind::Means(expr) => checker.measure(&expr),
+            NotationKind::HurwitzMatrix(of) => checker.hurwitz(&of, span),
             _ => Measure::Opaque,
         }))
     }
@@ -123,16 +124,16 @@ impl Checker<'_> {
         measure
     }
 
-    fn pattern(&mut self, pattern: &Convention, indices: &[i64], span: Span) -> Measure {
+    fn pattern(&mut self, pattern: &NotationKind, indices: &[i64], span: Span) -> Measure {
         match (pattern, indices) {
-            (Convention::CharacteristicCoefficient(of), [order]) => {
+            (NotationKind::CharacteristicCoefficient(of), [order]) => {
                 self.coefficient(of, *order, span)
             }
-            (Convention::Entry(of), place) => {
+            (NotationKind::Entry(of), place) => {
                 let matrix = self.measure(of);
                 entry(&matrix, place)
             }
-            (Convention::Cofactor(of), [row, column]) => {
+            (NotationKind::Cofactor(of), [row, column]) => {
                 let matrix = self.measure(of);
                 let Some((rows, columns)) = self.separate(&matrix) else {
                     return Measure::Opaque;
@@ -145,7 +146,7 @@ impl Checker<'_> {
                 let own = rows[(row - 1) as usize].times(&columns[(column - 1) as usize]);
                 Measure::scalar(all.over(&own), span)
             }
-            (Convention::LeadingMinor(of), [order]) => {
+            (NotationKind::LeadingMinor(of), [order]) => {
                 let matrix = self.measure(of);
                 match self.separate(&matrix) {
                     Some((rows, columns)) if (1..=rows.len() as i64).contains(order) => {

@@ -5,30 +5,10 @@ use super::measure::{Entry, Measure};
 use super::unification::Unification;
 use crate::expr::{Expr, Name};
 use crate::latex::canonical;
+use crate::model::NotationKind;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::collections::BTreeMap;
-
-/// What a name means by a convention that a document states.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Convention {
-    /// The unit matrix of an order.
-    Identity(usize),
-    /// Zero of any shape.
-    Zero,
-    /// The coefficients of the characteristic polynomial.
-    CharacteristicCoefficient(Expr),
-    /// The cofactors of a matrix.
-    Cofactor(Expr),
-    /// The leading principal minors of a matrix.
-    LeadingMinor(Expr),
-    /// The entries of a matrix.
-    Entry(Expr),
-    /// The Hurwitz matrix of the characteristic polynomial of a matrix.
-    HurwitzMatrix(Expr),
-    /// Another way of writing an expression.
-    Means(Expr),
-}
 
 /// Where a binding comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,8 +47,8 @@ pub(super) struct Family {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Names {
     pub bindings: BTreeMap<String, Binding>,
-    pub conventions: BTreeMap<String, Convention>,
-    pub patterns: BTreeMap<(String, usize), Convention>,
+    pub conventions: BTreeMap<String, NotationKind>,
+    pub patterns: BTreeMap<(String, usize), NotationKind>,
     pub families: BTreeMap<(String, usize), Family>,
     /// For each function the letter that it is a function of.
     pub arguments: BTreeMap<String, String>,

@@ -3,8 +3,9 @@
 //! Rows and columns are passed up from what is known and down to what is not, until nothing more
 //! is learned. What stays unknown is not checked.
 
-use super::names::{Convention, Names, family_key, key};
+use super::names::{Names, family_key, key};
 use crate::expr::{Chain, Expr, ExprKind, Font, Function, Name};
+use crate::model::NotationKind;
 use num_traits::{One, ToPrimitive};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -81,8 +82,10 @@ impl<'n> Shapes<'n> {
         }
         if let Some(convention) = self.names.conventions.get(&known_as) {
             return match convention {
-                Convention::Identity(order) => (Some(*order), Some(*order)),
-                Convention::Means(e) | Convention::HurwitzMatrix(e) => self.guarded(&known_as, e),
+                NotationKind::Identity(order) => (Some(*order), Some(*order)),
+                NotationKind::Means(e) | NotationKind::HurwitzMatrix(e) => {
+                    self.guarded(&known_as, e)
+                }
                 _ => (None, None),
             };
         }

@@ -1,8 +1,9 @@
 //! The equations of the quarter car: those that are right give no finding, damage does.
 
 use super::*;
-use crate::document::{Document, NotationKind, Text};
-use crate::latex::{self, Signature};
+use crate::document::Document;
+use crate::latex;
+use crate::model::Model;
 
 const QUARTER_CAR: &str = include_str!("../../proofs/schiehlen-2006/quarter-car.md");
 
@@ -10,68 +11,11 @@ fn name(text: &str) -> Name {
     latex::parse_name(text, 0).unwrap()
 }
 
-/// The units of a document's tables, and how its equations are to be read.
-fn tables(document: &Document) -> (Units, Signature) {
-    let mut units = Units::new();
-    let mut signature = Signature::default();
-    for symbol in &document.symbols {
-        let known = name(&symbol.name.text);
-        match &symbol.unit {
-            Some(unit) => units.declare(&known, &Unit::parse(&unit.text).unwrap().dimension),
-            None => units.declare_unknown(&known),
-        }
-        match &symbol.function_of {
-            Some(letter) => {
-                let letter = name(&letter.text);
-                units.declare_function(&known, &letter);
-                signature.declare_function(&known, &[letter]);
-            }
-            None => signature.declare(&known),
-        }
-    }
-    for notation in &document.notation {
-        signature.declare(&name(&notation.name.text));
-    }
-    for notation in &document.notation {
-        let of = |text: &Text| latex::parse_expr(&text.text, 0, &signature).unwrap();
-        let convention = match &notation.kind {
-            NotationKind::Identity(order) => Convention::Identity(*order),
-            NotationKind::Zero => Convention::Zero,
-            NotationKind::CharacteristicCoefficientOf(text) => {
-                Convention::CharacteristicCoefficient(of(text))
-            }
-            NotationKind::CofactorOf(text) => Convention::Cofactor(of(text)),
-            NotationKind::LeadingMinorOf(text) => Convention::LeadingMinor(of(text)),
-            NotationKind::EntryOf(text) => Convention::Entry(of(text)),
-            NotationKind::Means(text) => Convention::Means(of(text)),
-            NotationKind::HurwitzMatrixOf(text) => Convention::HurwitzMatrix(of(text)),
-        };
-        units.declare_convention(&name(&notation.name.text), convention);
-    }
-    (units, signature)
-}
-
 /// What a document's units come to, and where they do not fit.
 fn check(text: &str) -> (Units, Vec<UnitFinding>) {
-    let document = Document::parse("test.md", text).unwrap();
-    let (mut units, signature) = tables(&document);
-    let displays: Vec<(String, Display)> = document
-        .equations
-        .iter()
-        .map(|equation| {
-            let body = &equation.body;
-            let display = latex::parse_display(&body.text, body.span.start, &signature);
-            let shown = |report: Vec<_>| crate::diagnostic::render("test.md", text, &report, false);
-            let display = display.unwrap_or_else(|report| panic!("{}", shown(report)));
-            (equation.label.text.clone(), display)
-        })
-        .collect();
-    let findings = units.check_all(
-        displays
-            .iter()
-            .map(|(label, display)| (&label[..], display)),
-    );
-    (units, findings)
+    let shown = |report: Vec<_>| crate::diagnostic::render("test.md", text, &report, false);
+    let document = Document::parse("test.md", text).unwrap_or_else(|r| panic!("{}", shown(r)));
+    audit(&Model::build(&document).unwrap_or_else(|r| panic!("{}", shown(r))))
 }
 
 fn findings(text: &str) -> Vec<UnitFinding> {

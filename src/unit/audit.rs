@@ -1,0 +1,33 @@
+//! The units of a whole document.
+
+use super::{Unit, UnitFinding, Units};
+use crate::model::Model;
+
+impl Units {
+    /// What a document's tables say about units. A letter without a unit gets one from its uses.
+    pub fn of(model: &Model) -> Units {
+        let mut units = Units::new();
+        for symbol in &model.symbols {
+            let unit = symbol.unit.as_deref().map(Unit::parse);
+            match unit {
+                Some(Ok(unit)) => units.declare(&symbol.name, &unit.dimension),
+                _ => units.declare_unknown(&symbol.name),
+            }
+            if let Some(letter) = &symbol.function_of {
+                units.declare_function(&symbol.name, letter);
+            }
+        }
+        for notation in &model.notation {
+            units.declare_notation(&notation.name, notation.kind.clone());
+        }
+        units
+    }
+}
+
+/// Every place in a document where units do not fit, and the units of all its names.
+pub fn audit(model: &Model) -> (Units, Vec<UnitFinding>) {
+    let mut units = Units::of(model);
+    let equations = model.equations.iter();
+    let findings = units.check_all(equations.map(|e| (&e.label[..], &e.display)));
+    (units, findings)
+}
