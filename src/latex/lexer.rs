@@ -184,8 +184,8 @@ impl Lexer<'_> {
                 '[' => self.push(Token::Open(Delimiter::Visible(Bracket::Square)), start),
                 ']' => self.push(Token::Close(Delimiter::Visible(Bracket::Square)), start),
                 '~' => self.push(Token::Space(false), start),
-                '+' | '-' | '/' | '=' | '<' | '>' | ',' | ';' | ':' | '.' | '\'' | '&' | '_'
-                | '^' | '|' => self.push(Token::Symbol(c), start),
+                '+' | '-' | '*' | '/' | '=' | '<' | '>' | ',' | ';' | ':' | '.' | '\'' | '&'
+                | '_' | '^' | '|' => self.push(Token::Symbol(c), start),
                 other => self.complain(
                     DiagnosticKind::Unexpected {
                         found: other.to_string(),

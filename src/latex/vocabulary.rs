@@ -129,7 +129,7 @@ pub(super) fn word_function(word: &str) -> Option<Function> {
 /// Words that only join one equation to the next.
 pub(super) fn is_conjunction(word: &str) -> bool {
     matches!(
-        word,
+        word.trim(),
         "and" | "or" | "for" | "with" | "where" | "if" | "when" | "so that"
     )
 }

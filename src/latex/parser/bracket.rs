@@ -60,7 +60,9 @@ impl Parser<'_> {
                 parser.position += 1;
                 items.push(parser.expression()?);
             }
-            if parser.position == close {
+            let is_cases =
+                matches!(items.as_slice(), [only] if matches!(only.kind, ExprKind::Cases(_)));
+            if parser.position == close && !is_cases {
                 parser.bracket_closes(open, close)?;
             }
             parser.close(close)?;
@@ -85,7 +87,9 @@ impl Parser<'_> {
                 return Err(self.unexpected("an expression"));
             };
             return Ok(match (only.kind, bracket) {
-                (kind, Bracket::None) => Expr::new(kind, span),
+                (kind, Bracket::None) | (kind @ ExprKind::Cases(_), Bracket::Curly) => {
+                    Expr::new(kind, span)
+                }
                 (
                     ExprKind::Matrix {
                         rows,

@@ -50,7 +50,7 @@ impl Parser<'_> {
         matches!(
             token,
             Token::Symbol(',' | ';' | '.') | Token::RowBreak | Token::Space(_)
-        ) || matches!(token, Token::Text(word) if vocabulary::is_conjunction(word.trim()))
+        ) || matches!(token, Token::Text(word) if vocabulary::is_conjunction(word))
     }
 
     fn skip_separators(&mut self) {

@@ -175,7 +175,7 @@ impl Parser<'_> {
     /// Passes over "for", "if", "otherwise".
     fn skip_words(&mut self) {
         while let Some(Token::Text(word)) = self.peek()
-            && (vocabulary::is_conjunction(word.trim()) || word.trim() == "otherwise")
+            && (vocabulary::is_conjunction(word) || word.trim() == "otherwise")
         {
             self.position += 1;
         }

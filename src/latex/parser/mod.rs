@@ -4,12 +4,14 @@
 //! matrix, the equations of a display) record it and look further, so that all of a text's
 //! errors come out together. The recursion is bounded by [`DEPTH_LIMIT`].
 
+mod apply;
 mod bracket;
 mod call;
 mod display;
 mod matrix;
 mod name;
 mod operator;
+mod script;
 
 use super::layout::{DEPTH_LIMIT, Layout};
 use super::lexer::{Delimiter, Lexeme, Token};
@@ -342,6 +344,7 @@ impl<'s> Parser<'s> {
     fn is_remark(&self, word: &str) -> bool {
         self.nesting == 0
             && !vocabulary::is_constant(word)
+            && !vocabulary::is_conjunction(word)
             && (word.contains(' ') || word.ends_with([',', ';', '.', ':']))
     }
 

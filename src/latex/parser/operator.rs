@@ -1,6 +1,6 @@
 //! Fractions, derivatives, sums, integrals and underbraces.
 
-use super::name::small_order;
+use super::script::small_order;
 use super::{Parse, Parser, product};
 use crate::expr::{Chain, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
 use crate::latex::lexer::{Delimiter, Token};
