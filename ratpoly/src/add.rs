@@ -1,8 +1,9 @@
 //! Addition and subtraction: merging two descending lists.
 
 use crate::coefficient::{Accumulator, Double};
-use crate::packed::PackedMonomial;
-use crate::terms::{Term, TermList};
+use crate::packed::{Packed, PackedMonomial};
+use crate::polynomial::Polynomial;
+use crate::terms::{Term, TermList, Terms};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
@@ -57,6 +58,78 @@ impl Addend for BigInt {
     fn alone(a: &BigInt, negate: bool) -> Option<BigInt> {
         Some(if negate { -a } else { a.clone() })
     }
+}
+
+impl Polynomial {
+    /// Adds or subtracts another polynomial within the vector of this one; `false`, with nothing changed,
+    /// if that is not possible.
+    #[inline]
+    pub(crate) fn merge_in_place<const SUBTRACT: bool>(&mut self, other: &Polynomial) -> bool {
+        // In a layout that is not the narrowest a sum may have to change its layout.
+        if self.ring != other.ring || self.terms.kind() != self.ring.narrowest() {
+            return false;
+        }
+        fn merge<M: PackedMonomial, const SUBTRACT: bool>(a: &mut Terms, b: &Terms) -> bool {
+            match (M::words_mut(a), M::words(b)) {
+                (Some(a), Some(b)) => merge_words::<M, SUBTRACT>(a, b),
+                _ => false,
+            }
+        }
+        match self.terms {
+            Terms::One(_) => merge::<Packed<1>, SUBTRACT>(&mut self.terms, &other.terms),
+            Terms::Two(_) => merge::<Packed<2>, SUBTRACT>(&mut self.terms, &other.terms),
+            Terms::Four(_) => merge::<Packed<4>, SUBTRACT>(&mut self.terms, &other.terms),
+            Terms::Wide(_) => false,
+        }
+    }
+}
+
+/// Merges the second list into the first from the back, so that every term moves once; `false`, with
+/// nothing changed, if a coefficient might overflow.
+fn merge_words<M: PackedMonomial, const SUBTRACT: bool>(
+    a: &mut Vec<Term<M, i64>>,
+    b: &[Term<M, i64>],
+) -> bool {
+    const SAFE: u64 = 1 << 62;
+    let fits = |terms: &[Term<M, i64>]| terms.iter().all(|t| t.coefficient.unsigned_abs() < SAFE);
+    if !fits(a) || !fits(b) {
+        return false;
+    }
+    let Some(filler) = b.first() else { return true };
+    let (mut i, mut j) = (a.len(), b.len());
+    a.resize(i + j, filler.clone());
+    let mut free = a.len();
+    // Invariant: what is left of both lists fits below `free`.
+    while j > 0 {
+        let y = &b[j - 1];
+        let coefficient = if SUBTRACT {
+            -y.coefficient
+        } else {
+            y.coefficient
+        };
+        if i > 0 && a[i - 1].monomial < y.monomial {
+            free -= 1;
+            i -= 1;
+            a.swap(i, free);
+        } else if i > 0 && a[i - 1].monomial == y.monomial {
+            (i, j) = (i - 1, j - 1);
+            let sum = a[i].coefficient + coefficient;
+            if sum != 0 {
+                free -= 1;
+                a[i].coefficient = sum;
+                a.swap(i, free);
+            }
+        } else {
+            free -= 1;
+            j -= 1;
+            a[free] = Term {
+                monomial: y.monomial.clone(),
+                coefficient,
+            };
+        }
+    }
+    a.drain(i..free);
+    true
 }
 
 impl<M: PackedMonomial> TermList<M> {

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::multiply::{Failure, multiply};
 use crate::polynomial::{Polynomial, layout_of};
 use crate::ring::Ring;
+use crate::sum_of_products::sum_of_products;
 use crate::terms::{each_layout, same_layout};
 use num_bigint::BigInt;
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -29,7 +30,11 @@ impl Polynomial {
 
     /// The product, or [`Error::RingMismatch`] or [`Error::ExponentOverflow`].
     pub fn try_mul(&self, other: &Polynomial) -> Result<Polynomial, Error> {
-        self.mul_within(other, &UNLIMITED)
+        self.check_ring(other)?;
+        match sum_of_products(self.ring, &[(self, other)]) {
+            Some(product) => Ok(product),
+            None => self.mul_within(other, &UNLIMITED),
+        }
     }
 
     /// The power, or [`Error::ExponentOverflow`]. The zeroth power is 1, also of 0.
@@ -140,16 +145,23 @@ impl Polynomial {
         self.try_mul(&Polynomial::from_term(self.ring, exponents, factor.into()))
     }
 
-    /// The sum of the products of pairs.
+    /// The sum of the products of pairs; for short polynomials in one pass, without intermediate sums.
     pub fn sum_of_products<'a>(
         ring: Ring,
         pairs: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>,
     ) -> Result<Polynomial, Error> {
-        let mut sum = Polynomial::zero(ring);
-        for (f, g) in pairs {
-            sum = sum.try_add(&f.try_mul(g)?)?;
+        let pairs: Vec<(&Polynomial, &Polynomial)> = pairs.into_iter().collect();
+        if pairs.iter().any(|(f, g)| f.ring != ring || g.ring != ring) {
+            return Err(Error::RingMismatch);
         }
-        Ok(sum)
+        if let Some(sum) = sum_of_products(ring, &pairs) {
+            return Ok(sum);
+        }
+        let products = pairs
+            .iter()
+            .map(|(f, g)| f.try_mul(g))
+            .collect::<Result<_, _>>()?;
+        Ok(Polynomial::sum(ring, products))
     }
 
     /// The sum of polynomials of a ring, added in pairs so that no long one is copied often.
@@ -194,6 +206,34 @@ impl Neg for Polynomial {
     }
 }
 
+/// # Panics
+/// If the operands belong to different rings.
+impl AddAssign<&Polynomial> for Polynomial {
+    fn add_assign(&mut self, other: &Polynomial) {
+        if !self.merge_in_place::<false>(other) {
+            *self = self.try_add(other).unwrap_or_else(|e| panic!("{e}"));
+        }
+    }
+}
+
+/// # Panics
+/// If the operands belong to different rings.
+impl SubAssign<&Polynomial> for Polynomial {
+    fn sub_assign(&mut self, other: &Polynomial) {
+        if !self.merge_in_place::<true>(other) {
+            *self = self.try_sub(other).unwrap_or_else(|e| panic!("{e}"));
+        }
+    }
+}
+
+/// # Panics
+/// If the operands belong to different rings, or on an exponent overflow.
+impl MulAssign<&Polynomial> for Polynomial {
+    fn mul_assign(&mut self, other: &Polynomial) {
+        *self = &*self * other;
+    }
+}
+
 macro_rules! operator {
     ($trait:ident $method:ident $assign:ident $assign_method:ident $checked:ident) => {
         /// # Panics
@@ -212,24 +252,21 @@ macro_rules! operator {
         }
         impl $trait<&Polynomial> for Polynomial {
             type Output = Polynomial;
-            fn $method(self, other: &Polynomial) -> Polynomial {
-                $trait::$method(&self, other)
+            fn $method(mut self, other: &Polynomial) -> Polynomial {
+                $assign::$assign_method(&mut self, other);
+                self
             }
         }
         impl $trait<Polynomial> for Polynomial {
             type Output = Polynomial;
-            fn $method(self, other: Polynomial) -> Polynomial {
-                $trait::$method(&self, &other)
-            }
-        }
-        impl $assign<&Polynomial> for Polynomial {
-            fn $assign_method(&mut self, other: &Polynomial) {
-                *self = $trait::$method(&*self, other);
+            fn $method(mut self, other: Polynomial) -> Polynomial {
+                $assign::$assign_method(&mut self, &other);
+                self
             }
         }
         impl $assign<Polynomial> for Polynomial {
             fn $assign_method(&mut self, other: Polynomial) {
-                *self = $trait::$method(&*self, &other);
+                $assign::$assign_method(self, &other);
             }
         }
     };

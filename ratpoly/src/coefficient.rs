@@ -283,27 +283,50 @@ impl Accumulator for i64 {
     }
 
     fn collect<M: PackedMonomial>(mut terms: Vec<Term<M, Self>>) -> TermList<M> {
-        terms.sort_by(|a, b| b.monomial.cmp(&a.monomial));
-        // In place: `done` terms are final.
-        let mut done = 0;
-        for next in 0..terms.len() {
-            let coefficient = terms[next].coefficient;
-            if done > 0 && terms[done - 1].monomial == terms[next].monomial {
-                terms[done - 1].coefficient += coefficient;
-                if next + 1 < terms.len() && terms[next + 1].monomial == terms[next].monomial {
-                    continue;
-                }
-                if terms[done - 1].coefficient == 0 {
-                    done -= 1;
-                }
-            } else if coefficient != 0 {
-                terms.swap(done, next);
-                done += 1;
-            }
+        if terms.len() <= INSERTION {
+            combine_by_insertion(&mut terms);
+        } else {
+            terms.sort_by(|a, b| b.monomial.cmp(&a.monomial));
+            combine_neighbours(&mut terms);
         }
-        terms.truncate(done);
+        terms.retain(|t| t.coefficient != 0);
         TermList::Word(terms)
     }
+}
+
+/// Up to this many terms are sorted by insertion.
+const INSERTION: usize = 24;
+
+/// Sorts terms and adds equal monomials; zeros may remain.
+fn combine_by_insertion<M: PackedMonomial>(terms: &mut Vec<Term<M, i64>>) {
+    let mut done = 0;
+    for next in 0..terms.len() {
+        let (sorted, rest) = terms.split_at(next);
+        let monomial = &rest[0].monomial;
+        let mut place = done;
+        while place > 0 && sorted[place - 1].monomial < *monomial {
+            place -= 1;
+        }
+        if place > 0 && sorted[place - 1].monomial == *monomial {
+            terms[place - 1].coefficient += terms[next].coefficient;
+        } else {
+            terms.swap(done, next);
+            terms[place..=done].rotate_right(1);
+            done += 1;
+        }
+    }
+    terms.truncate(done);
+}
+
+/// Adds equal monomials among sorted terms; zeros may remain.
+fn combine_neighbours<M: PackedMonomial>(terms: &mut Vec<Term<M, i64>>) {
+    terms.dedup_by(|next, kept| {
+        let equal = next.monomial == kept.monomial;
+        if equal {
+            kept.coefficient += next.coefficient;
+        }
+        equal
+    });
 }
 
 impl Accumulator for i128 {

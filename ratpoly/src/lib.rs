@@ -47,6 +47,7 @@ mod ring;
 mod serialize;
 mod sign;
 mod substitute;
+mod sum_of_products;
 mod terms;
 pub mod univariate;
 mod window;

@@ -3,7 +3,7 @@
 
 use crate::layout::Layout;
 use crate::ring::{Order, Ring};
-use crate::terms::{TermList, Terms};
+use crate::terms::{Term, TermList, Terms};
 use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -35,6 +35,10 @@ pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'sta
     fn meets(&self, mask: u64) -> bool;
     /// The list among the lists of all kinds.
     fn wrap(list: TermList<Self>) -> Terms;
+    /// The terms, if they are of this kind and their coefficients of one word.
+    fn words(terms: &Terms) -> Option<&[Term<Self, i64>]>;
+    /// The vector of terms, if they are of this kind and their coefficients of one word.
+    fn words_mut(terms: &mut Terms) -> Option<&mut Vec<Term<Self, i64>>>;
 
     /// Packs exponents, unless one is too large for the layout.
     fn pack(layout: &Layout, exponents: &[u32]) -> Option<Self> {
@@ -88,6 +92,24 @@ macro_rules! packed {
 
             fn wrap(list: TermList<Self>) -> Terms {
                 Terms::$name(list)
+            }
+
+            #[inline]
+            fn words(terms: &Terms) -> Option<&[Term<Self, i64>]> {
+                if let Terms::$name(TermList::Word(terms)) = terms {
+                    Some(terms)
+                } else {
+                    None
+                }
+            }
+
+            #[inline]
+            fn words_mut(terms: &mut Terms) -> Option<&mut Vec<Term<Self, i64>>> {
+                if let Terms::$name(TermList::Word(terms)) = terms {
+                    Some(terms)
+                } else {
+                    None
+                }
             }
 
             fn from_fields(layout: &Layout, field: impl Fn(usize) -> u64) -> Self {
@@ -155,6 +177,22 @@ impl PackedMonomial for Wide {
 
     fn wrap(list: TermList<Self>) -> Terms {
         Terms::Wide(list)
+    }
+
+    fn words(terms: &Terms) -> Option<&[Term<Self, i64>]> {
+        if let Terms::Wide(TermList::Word(terms)) = terms {
+            Some(terms)
+        } else {
+            None
+        }
+    }
+
+    fn words_mut(terms: &mut Terms) -> Option<&mut Vec<Term<Self, i64>>> {
+        if let Terms::Wide(TermList::Word(terms)) = terms {
+            Some(terms)
+        } else {
+            None
+        }
     }
 
     fn from_fields(layout: &Layout, field: impl Fn(usize) -> u64) -> Self {
