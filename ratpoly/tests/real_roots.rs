@@ -45,7 +45,7 @@ fn known_roots() {
 fn wilkinson_in_exact_arithmetic() {
     let mut f = Polynomial::one(ring());
     for k in 1..=20 {
-        f *= (p("x") - Polynomial::constant(ring(), k));
+        f *= p("x") - Polynomial::constant(ring(), k);
     }
     let roots = real_roots(&f, 0, &Budget::default()).unwrap();
     assert_eq!(roots.len(), 20);
