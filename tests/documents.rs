@@ -1,6 +1,8 @@
 //! The documents of the project are well formed, and the format's own page says what is so.
 
-use rederive::document::{Document, Role};
+use rederive::audit::Audit;
+use rederive::check::Options;
+use rederive::document::{Document, Role, VerdictWord};
 use std::path::{Path, PathBuf};
 
 fn proofs() -> PathBuf {
@@ -124,4 +126,31 @@ fn the_settings_of_the_format_page_are_those_of_the_format() {
         let text = format!("```math 1 claim\nx = y\n```\n```toml 1\n{line}\n```\n");
         parse(&text);
     }
+}
+
+/// Nothing in the document is wrong: not its algebra, and not its units.
+fn assert_sound(document: &Document) {
+    let audit = Audit::of(document, Options::default()).unwrap_or_else(|r| panic!("{r}"));
+    for outcome in &audit.outcomes {
+        let word = outcome.verdict.word();
+        let label = &audit.model.equations[outcome.equation].label;
+        assert!(
+            matches!(word, VerdictWord::Holds | VerdictWord::Definition),
+            "{} ({label}), link {}: {word}",
+            document.name,
+            outcome.member
+        );
+    }
+    let (_, findings) = rederive::unit::audit(&audit.model);
+    assert_eq!(findings, [], "{}", document.name);
+}
+
+#[test]
+fn the_example_of_the_format_page_is_sound() {
+    assert_sound(&parse(&blocks(&format_page(), "````", "markdown")[0]));
+}
+
+#[test]
+fn the_matrix_polynomial_solves_the_lyapunov_equation_of_every_system() {
+    assert_sound(&read(&proofs().join("matrix-polynomial/lyapunov.md")));
 }

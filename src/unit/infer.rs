@@ -11,7 +11,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Most dimensions that a check may compute before it gives up.
-const WORK_LIMIT: usize = 400_000;
+const WORK_LIMIT: usize = 200_000;
 
 /// Most values of an index that are written out; a longer sum is checked for one general index.
 pub(super) const RANGE_LIMIT: i64 = 64;
