@@ -6,8 +6,10 @@
 //! gcd of the images, and the degree of the latter is a bound. One pass over the terms serves all the
 //! variables: scaling a variable by its coordinate changes no degree.
 
-use super::view::{PowerTable, Views, random_elements};
-use crate::modular::{PrimeField, two_adic_primes};
+use super::shape::Operand;
+use super::view::{MAXIMAL_DEGREES, Views};
+use crate::modular::{PowerTable, PrimeField, random_elements, two_adic_primes};
+use crate::polynomial::Polynomial;
 use crate::univariate::modular as dense;
 
 /// The greatest prime c·2³² + 1 below 2⁶².
@@ -36,7 +38,17 @@ fn degree_bounds_modulo(field: &PrimeField, views: &Views) -> Vec<u32> {
         .collect();
     let mut proven = vec![false; n];
     for seed in 0..ATTEMPTS {
-        let images = [0, 1].map(|which| univariate_images(field, views, which, seed));
+        let images = [0, 1].map(|which| {
+            let operand = &views.operands[which];
+            univariate_images(
+                field,
+                operand,
+                &views.variables,
+                &views.exponents[which],
+                &views.degrees[which],
+                seed,
+            )
+        });
         let mut starts = [0; 2];
         for i in 0..n {
             let mut pair = [0, 1].map(|which| {
@@ -63,18 +75,52 @@ fn degree_bounds_modulo(field: &PrimeField, views: &Views) -> Vec<u32> {
     bounds
 }
 
-/// The images of an operand in each variable, one after another, constant terms first, all up to one
-/// common factor that is not zero.
-fn univariate_images(field: &PrimeField, views: &Views, which: usize, seed: u64) -> Vec<u64> {
-    let n = views.variables.len();
-    let degrees = &views.degrees[which];
-    let seen = random_elements(field, seed, n);
-    let powers = PowerTable::new(field, &seen, degrees.iter().copied());
+/// Whether one image in each variable proves that a polynomial has no repeated factor but integers;
+/// `false` proves nothing.
+pub(crate) fn square_free_by_images(f: &Polynomial) -> bool {
+    if f.is_zero() {
+        return false;
+    }
+    let operand = Operand::new(f);
+    let n = operand.shape.low.len();
+    let variables: Vec<usize> = (0..n).filter(|&v| operand.shape.high[v] > 0).collect();
+    if variables.is_empty() {
+        return true;
+    }
+    let degrees: Vec<u32> = variables.iter().map(|&v| operand.shape.high[v]).collect();
+    if degrees.iter().map(|&d| u64::from(d)).sum::<u64>() > MAXIMAL_DEGREES {
+        return false;
+    }
+    let rows = operand.exponents.chunks_exact(n);
+    let seen: Vec<u32> = rows
+        .flat_map(|row| variables.iter().map(|&v| row[v]))
+        .collect();
+    let images = univariate_images(&FIELD, &operand, &variables, &seen, &degrees, 0);
+    let mut rest = &images[..];
+    degrees.iter().all(|&degree| {
+        let (image, after) = rest.split_at(degree as usize + 1);
+        rest = after;
+        image.last() != Some(&0) && dense::is_square_free(&FIELD, image)
+    })
+}
+
+/// The images of a polynomial in each variable seen, one after another, constant terms first, all up to
+/// one common factor that is not zero. `seen` are its exponents and `degrees` its degrees in these variables.
+fn univariate_images(
+    field: &PrimeField,
+    operand: &Operand,
+    variables: &[usize],
+    seen: &[u32],
+    degrees: &[u32],
+    seed: u64,
+) -> Vec<u64> {
+    let n = variables.len();
+    let point = random_elements(field, seed, n);
+    let powers = PowerTable::new(field, &point, degrees.iter().copied());
     // The variables that are not seen.
-    let operand = &views.operands[which];
     let width = operand.shape.low.len();
     let others: Vec<usize> = (0..width)
-        .filter(|v| operand.shape.varies(*v) && !views.variables.contains(v))
+        .filter(|v| operand.shape.varies(*v) && !variables.contains(v))
         .collect();
     let coordinates = random_elements(field, seed ^ 0x5eed, width);
     let starts: Vec<usize> = degrees
@@ -88,11 +134,7 @@ fn univariate_images(field: &PrimeField, views: &Views, which: usize, seed: u64)
     let mut images = vec![0; degrees.iter().map(|&d| d as usize + 1).sum()];
     let full = operand.exponents.chunks_exact(width);
     let residues = operand.polynomial.residues(field.modulus());
-    for ((residue, full), exponents) in residues
-        .into_iter()
-        .zip(full)
-        .zip(views.exponents[which].chunks_exact(n))
-    {
+    for ((residue, full), exponents) in residues.into_iter().zip(full).zip(seen.chunks_exact(n)) {
         // A residue in plain form times an element in Montgomery's: all images shrink by one factor R.
         let mut value = field.mul(residue, powers.monomial(field, exponents));
         for &v in &others {

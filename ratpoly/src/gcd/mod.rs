@@ -30,6 +30,7 @@ use crate::budget::Budget;
 use crate::error::Error;
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
+pub(crate) use degree_bounds::square_free_by_images;
 use shape::Operand;
 
 /// A greatest common divisor and what it leaves: `first operand = gcd · first`, `second operand = gcd · second`.

@@ -16,13 +16,13 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One, Zero};
 
-use super::view::{PowerTable, Views, random_elements};
+use super::view::Views;
 use super::{Common, common, common_divisor, common_from_prime, prs};
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::modular::{
-    BerlekampMassey, ChineseRemainder, PrimeField, solve_transposed_vandermonde,
-    subgroup_logarithms, two_adic_primes,
+    BerlekampMassey, ChineseRemainder, PowerTable, PrimeField, random_elements,
+    solve_transposed_vandermonde, subgroup_logarithms, two_adic_primes,
 };
 use crate::polynomial::Polynomial;
 use crate::univariate::modular as dense;

@@ -12,11 +12,13 @@
 //!   sparse interpolation after Ben-Or and Tiwari.
 
 mod chinese_remainder;
+mod evaluation;
 mod field;
 mod primes;
 mod sparse_interpolation;
 
 pub use chinese_remainder::{ChineseRemainder, rational_reconstruction};
+pub(crate) use evaluation::{PowerTable, random_elements};
 pub use field::PrimeField;
 pub use primes::{is_prime, primes_below, two_adic_primes};
 pub use sparse_interpolation::{

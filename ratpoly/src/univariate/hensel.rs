@@ -34,7 +34,9 @@ pub fn lift(
     if modulus > *bound {
         return Ok((lifted, modulus));
     }
-    let inverses = cofactor_inverses(field, factors);
+    let Some(inverses) = cofactor_inverses(field, factors) else {
+        return Err(Error::Unsupported("the modular factors are not coprime"));
+    };
     let leading = f.last().expect("not zero");
     let steps = (f.len() * f.len()) as u64;
     while modulus <= *bound {
@@ -68,24 +70,17 @@ pub fn lift(
     Ok((lifted, modulus))
 }
 
-/// For each i the inverse of Π_{j≠i} gⱼ modulo gᵢ.
-///
-/// # Panics
-///
-/// If two factors are not coprime.
-pub fn cofactor_inverses(field: &PrimeField, factors: &[Vec<u64>]) -> Vec<Vec<u64>> {
+/// For each i the inverse of Π_{j≠i} gⱼ modulo gᵢ; `None` if two factors are not coprime.
+pub fn cofactor_inverses(field: &PrimeField, factors: &[Vec<u64>]) -> Option<Vec<Vec<u64>>> {
     let product = factors.iter().fold(vec![field.one()], |product, g| {
         dense::mul(field, &product, g)
     });
-    factors
-        .iter()
-        .map(|g| {
-            let cofactor = dense::rem(field, &dense::div_rem(field, &product, g).0, g);
-            let (d, s, _) = dense::extended_gcd(field, &cofactor, g);
-            assert!(d.len() == 1, "the factors are pairwise coprime");
-            s
-        })
-        .collect()
+    let inverse = |g: &Vec<u64>| {
+        let cofactor = dense::rem(field, &dense::div_rem(field, &product, g).0, g);
+        let (d, s, _) = dense::extended_gcd(field, &cofactor, g);
+        (d.len() == 1).then_some(s)
+    };
+    factors.iter().map(inverse).collect()
 }
 
 /// Whether lc(f)·Π gᵢ ≡ f modulo m: what [`lift`] promises.

@@ -61,12 +61,12 @@ pub fn factor_square_free(f: &[BigInt], budget: &Budget) -> Result<Vec<Vec<BigIn
 /// Whether each degree is possible for a divisor over the integers.
 type Degrees = Vec<bool>;
 
+/// A prime field and the image of a polynomial over it.
+type Image = (PrimeField, Vec<u64>);
+
 /// The degrees that divisors can have, and the prime with the fewest factors together with the image;
 /// none if no degree but the trivial ones is possible.
-fn choose_prime(
-    f: &[BigInt],
-    budget: &Budget,
-) -> Result<(Degrees, Option<(PrimeField, Vec<u64>)>), Error> {
+fn choose_prime(f: &[BigInt], budget: &Budget) -> Result<(Degrees, Option<Image>), Error> {
     let n = f.len() - 1;
     let mut possible = vec![true; n + 1];
     let mut best: Option<(usize, PrimeField, Vec<u64>)> = None;
