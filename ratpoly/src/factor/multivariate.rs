@@ -28,6 +28,9 @@ const POINTS: usize = 3;
 /// How many points may fail to tell the leading coefficients apart before they are imposed.
 const PATIENCE: usize = 12;
 
+/// The place of a coefficient: the number of the factor and the exponents.
+type Key = (usize, Vec<u32>);
+
 /// An image over the integers at a point.
 struct Image {
     point: Vec<i64>,
@@ -215,7 +218,7 @@ fn lift_and_divide(
     // A generous bound for the bits of a coefficient of a divisor of the scaled polynomial.
     let degrees: u64 = scaled.degrees().iter().map(|&d| u64::from(d)).sum();
     let bound = scaled.coefficient_bits() + 2 * degrees + 64 + scaled.len().ilog2() as u64;
-    let mut known: Option<(Vec<(usize, Vec<u32>)>, ChineseRemainder)> = None;
+    let mut known: Option<(Vec<Key>, ChineseRemainder)> = None;
     for p in two_adic_primes(32) {
         let field = PrimeField::new(p).expect("an odd prime below 2^62");
         let images: Vec<Vec<u64>> = image
@@ -263,7 +266,7 @@ fn lift_and_divide(
 }
 
 /// The terms of all factors in one list.
-fn flatten(factors: Vec<Terms>) -> (Vec<(usize, Vec<u32>)>, Vec<u64>) {
+fn flatten(factors: Vec<Terms>) -> (Vec<Key>, Vec<u64>) {
     factors
         .into_iter()
         .enumerate()
@@ -279,7 +282,7 @@ fn flatten(factors: Vec<Terms>) -> (Vec<(usize, Vec<u32>)>, Vec<u64>) {
 fn divide(
     f: &Polynomial,
     order: &[usize],
-    keys: &[(usize, Vec<u32>)],
+    keys: &[Key],
     values: &[BigInt],
     count: usize,
     budget: &Budget,
