@@ -4,6 +4,7 @@ use crate::check::{self, Options};
 use crate::diagnostic::Rejection;
 use crate::document::{Document, VerdictWord};
 use crate::model::Model;
+use crate::unit::{self, UnitFinding};
 use crate::verdict::Outcome;
 
 /// A document with the verdicts on all its links.
@@ -13,6 +14,8 @@ pub struct Audit {
     pub model: Model,
     /// One outcome for each link, in the order of the document.
     pub outcomes: Vec<Outcome>,
+    /// The places where units do not fit. They are checked apart and decide no verdict.
+    pub units: Vec<UnitFinding>,
 }
 
 /// How many of the numbered equations have a verdict that was computed.
@@ -42,7 +45,12 @@ impl Audit {
         let reject = |diagnostics| document.reject(diagnostics);
         let model = Model::build(document).map_err(reject)?;
         let outcomes = check::check(&model, options).map_err(reject)?;
-        Ok(Audit { model, outcomes })
+        let (_, units) = unit::audit(&model);
+        Ok(Audit {
+            model,
+            outcomes,
+            units,
+        })
     }
 
     /// Which of the announced equation numbers have a verdict.

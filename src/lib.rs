@@ -2,6 +2,7 @@
 
 pub mod audit;
 pub mod check;
+pub mod comparison;
 pub mod diagnostic;
 pub mod document;
 pub mod domain;
