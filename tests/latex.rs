@@ -128,3 +128,32 @@ fn equations_45_to_68_of_the_paper() {
 fn forms_that_papers_print() {
     reads_as_printed(include_str!("latex/forms.toml"), 60);
 }
+
+/// What a display defines decides how later equations are read.
+#[test]
+fn definitions_declare_their_names() {
+    let mut signature = Signature::default();
+    let applied = |text: &str, signature: &Signature| {
+        parse_display(text, 0, signature).map(|display| dump::display(&display))
+    };
+    for text in ["c(s)", "g(s)", "w(s)", "b(s)", "x(s)"] {
+        assert!(applied(text, &signature).is_err(), "{text}");
+    }
+    signature.declare_definitions(
+        r"\begin{aligned} b &= 1, \\ c_i &= x + y, & \dot{h} &= 1, \\ g(s) &= s^2 \end{aligned}",
+    );
+    signature.declare_definitions(r"c = 2 \quad \underbrace{g(3)}_{w(s)} = \underbrace{d}_{k}");
+    for (text, tree) in [
+        ("c(s)", "(* c (round s))"),
+        ("b(s)", "(* b (round s))"),
+        ("c_4(s)", "(* c_4 (round s))"),
+        ("k(m)", "(* k (round m))"),
+        ("g(s + 1)", "(@ g (+s +1))"),
+        ("w(m)", "(@ w m)"),
+        ("u(s)", "(@ u s)"),
+    ] {
+        assert_eq!(applied(text, &signature).as_deref(), Ok(tree), "{text}");
+    }
+    assert!(applied("x(y)", &signature).is_err());
+    signature.declare_definitions("((");
+}

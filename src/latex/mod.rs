@@ -83,3 +83,11 @@ pub fn parse_name(text: &str, offset: usize) -> Result<Name, Vec<Diagnostic>> {
     let name = parser.whole(Parser::lone_name);
     parser.finish(name)
 }
+
+/// The names that a display defines, with their arguments.
+fn heads(text: &str) -> Vec<(Name, Vec<Name>)> {
+    let Ok(layout) = layout::prepare(text, 0, true) else {
+        return Vec::new();
+    };
+    Parser::new(layout, &Signature::default()).heads()
+}

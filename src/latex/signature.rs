@@ -50,6 +50,19 @@ impl Signature {
             .extend(variables);
     }
 
+    /// Declares what the equations of a display define: the names, and the functions with their
+    /// arguments, that stand alone on the left of an equals sign, and the names under its
+    /// braces. What is wrong with the display is for [`parse_display`](super::parse_display) to say.
+    pub fn declare_definitions(&mut self, text: &str) {
+        for (name, arguments) in super::heads(text) {
+            if arguments.is_empty() {
+                self.declare(&name);
+            } else if !self.is_declared(&name) {
+                self.declare_function(&name, &arguments);
+            }
+        }
+    }
+
     /// Chooses the letter that before `\{` stands for the expectation; `E` unless told.
     pub fn set_expectation(&mut self, name: Option<&Name>) {
         self.expectation = name.map(canonical);

@@ -4,7 +4,7 @@ use super::{Parse, Parser, product};
 use crate::diagnostic::Diagnostic;
 use crate::expr::{Bracket, Expr, ExprKind, Function, Sign};
 use crate::latex::lexer::{Delimiter, Token};
-use crate::latex::vocabulary::Environment;
+use crate::latex::vocabulary::{self, Environment};
 use num_traits::{One, Signed};
 
 impl Parser<'_> {
@@ -97,6 +97,9 @@ impl Parser<'_> {
         self.starts_factor()
             && match self.peek() {
                 Some(Token::Letter(_) | Token::Number(_)) => true,
+                Some(Token::Text(word)) => {
+                    vocabulary::word_function(word).is_none() && !vocabulary::is_constant(word)
+                }
                 Some(Token::Command(command)) => super::starts_name(command),
                 _ => false,
             }
@@ -110,7 +113,7 @@ impl Parser<'_> {
                     super::starts_name(command)
                         || matches!(command.as_str(), "frac" | "tfrac" | "dfrac")
                 }
-                Some(Token::Text(word)) => crate::latex::vocabulary::word_function(word).is_none(),
+                Some(Token::Text(word)) => vocabulary::word_function(word).is_none(),
                 _ => true,
             }
     }

@@ -160,6 +160,61 @@ impl Parser<'_> {
                 .is_none_or(|l| Self::is_separator(&l.token) || matches!(l.token, Token::End(_)))
     }
 
+    /// What the display defines: `a = ...`, `f(t) = ...` at the beginning of an equation, and
+    /// the names under braces.
+    pub(in crate::latex) fn heads(&mut self) -> Vec<(Name, Vec<Name>)> {
+        let mut heads = Vec::new();
+        let mut begins = true;
+        for position in 0..self.lexemes.len() {
+            let braced = self.at_brace_label(position);
+            if begins || braced {
+                self.position = if braced { position + 2 } else { position };
+                heads.extend(self.head(braced));
+            }
+            begins = match &self.lexemes[position].token {
+                Token::Begin(Environment::Lines)
+                | Token::Open(Delimiter::Stretched(Bracket::None | Bracket::Curly)) => begins,
+                token => Self::is_separator(token),
+            };
+        }
+        heads
+    }
+
+    /// Whether the underscore of `\underbrace{...}_{` stands here.
+    fn at_brace_label(&self, position: usize) -> bool {
+        self.lexemes[position].token == Token::Symbol('_')
+            && position > 0
+            && self.lexemes[position - 1].token == Token::Close(Delimiter::Brace)
+            && self.partner[position - 1] > 0
+            && matches!(
+                &self.lexemes[self.partner[position - 1] - 1].token,
+                Token::Command(command) if command == "underbrace"
+            )
+            && self
+                .lexemes
+                .get(position + 1)
+                .is_some_and(|next| next.token == Token::Open(Delimiter::Brace))
+    }
+
+    /// A name, perhaps with arguments that are names, before an equals sign or the end of a label.
+    fn head(&mut self, braced: bool) -> Option<(Name, Vec<Name>)> {
+        let name = self.lone_name().ok()?;
+        let mut arguments = Vec::new();
+        if self.at(&Token::Open(Delimiter::Visible(Bracket::Round))) {
+            let close = self.partner[self.position];
+            while self.position < close {
+                self.position += 1;
+                arguments.push(self.lone_name().ok()?);
+                if self.position < close && !self.at_symbol(',') {
+                    return None;
+                }
+            }
+            self.position += 1;
+        }
+        let ends = self.at_symbol('=') || braced && self.at(&Token::Close(Delimiter::Brace));
+        ends.then_some((name, arguments))
+    }
+
     fn clause(&mut self, clauses: &mut Vec<Clause>) -> Parse<()> {
         let heading = self.heading();
         self.skip_separators();

@@ -386,7 +386,10 @@ impl<'s> Parser<'s> {
             Some(Token::Symbol('|')) => self.absolute(),
             Some(Token::Begin(_)) => {
                 let matrix = self.environment()?;
-                self.raised(matrix)
+                match matrix.kind {
+                    ExprKind::Matrix { .. } | ExprKind::Call { .. } => self.raised(matrix),
+                    _ => Ok(matrix),
+                }
             }
             Some(Token::Command(command)) => {
                 if let Some(function) = vocabulary::function(command) {

@@ -4,6 +4,7 @@ use super::script::small_order;
 use super::{Parse, Parser, product};
 use crate::expr::{Chain, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
 use crate::latex::lexer::{Delimiter, Token};
+use crate::latex::vocabulary;
 
 impl Parser<'_> {
     /// `\frac{a}{b}`; with a `d` above and below, a derivative.
@@ -175,6 +176,7 @@ impl Parser<'_> {
             && letter
             && match self.peek_at(1) {
                 Some(Token::Letter(_)) => true,
+                Some(Token::Text(word)) => !vocabulary::is_conjunction(word),
                 Some(Token::Command(command)) => super::starts_name(command),
                 _ => false,
             }

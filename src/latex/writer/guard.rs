@@ -87,6 +87,24 @@ pub(super) fn is_bare_d(expr: &Expr) -> bool {
     }
 }
 
+/// Whether a bare `d` stands at the right end, where the variable of integration follows.
+pub(super) fn ends_in_bare_d(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Product(factors) => factors.last().is_some_and(ends_in_bare_d),
+        ExprKind::Sum(terms) => terms.last().is_some_and(|(_, term)| ends_in_bare_d(term)),
+        ExprKind::Quotient {
+            denominator: last,
+            style: QuotientStyle::Slash,
+            ..
+        }
+        | ExprKind::BigSum { body: last, .. }
+        | ExprKind::Derivative { body: last, .. }
+        | ExprKind::Call { argument: last, .. } => ends_in_bare_d(last),
+        ExprKind::Name(_) => is_bare_d(expr),
+        _ => false,
+    }
+}
+
 /// Whether the factor begins with a name.
 pub(super) fn final_or_first_name(expr: &Expr) -> bool {
     match &expr.kind {
@@ -97,17 +115,23 @@ pub(super) fn final_or_first_name(expr: &Expr) -> bool {
     }
 }
 
-/// Whether the factor, written after a name, would be read as its arguments.
+/// Whether the factor, which after a name begins with a bracket, would be read as its arguments.
 pub(super) fn looks_like_arguments(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Tuple(_) => true,
-        ExprKind::Group { inner, .. } => matches!(
-            inner.kind,
-            ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Infinity | ExprKind::Constant
-        ),
-        ExprKind::Power { base, .. } | ExprKind::Transpose(base) => looks_like_arguments(base),
+        ExprKind::Group { inner, .. } => is_leaf(inner),
+        ExprKind::Power { base, .. } | ExprKind::Transpose(base) => {
+            is_leaf(base) || looks_like_arguments(base)
+        }
         _ => false,
     }
+}
+
+fn is_leaf(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Infinity | ExprKind::Constant
+    )
 }
 
 impl Writer {
@@ -124,7 +148,7 @@ impl Writer {
         if is_slash(before) || !bracketed && is_slash(factor) {
             return true;
         }
-        if ends_in_bare_argument(before) && !ends_argument(factor) {
+        if ends_in_bare_argument(before) && (bracketed || !ends_argument(factor)) {
             return true;
         }
         if self.differential && is_bare_d(before) && final_or_first_name(factor) {

@@ -104,7 +104,17 @@ impl Writer {
         if let Some(heading) = &clause.heading {
             text += &format!("\\text{{{heading}:}} \\quad ");
         }
-        text += &self.chain(&clause.chain, aligned);
+        text += &match clause.chain.members.as_slice() {
+            // Set apart, a number in plain brackets would be the number of the equation.
+            [only] if matches!(only.kind, ExprKind::Group { .. }) => {
+                let plain = self.expression(only);
+                match plain.strip_prefix('(').and_then(|p| p.strip_suffix(')')) {
+                    Some(inner) => format!("\\left({inner}\\right)"),
+                    None => plain,
+                }
+            }
+            _ => self.chain(&clause.chain, aligned),
+        };
         if let Some(remark) = &clause.remark {
             text += &format!(" \\text{{ {remark}}}");
         }

@@ -1,7 +1,7 @@
 //! Sums, products, quotients, powers and calls.
 
 use super::Writer;
-use super::guard::{ends_in_bare_argument, final_name, is_bare_d, is_open_ended};
+use super::guard::{ends_in_bare_argument, ends_in_bare_d, final_name, is_bare_d, is_open_ended};
 use super::symbol::{canonical, enclose, function, number, push};
 use crate::expr::{Bracket, Expr, ExprKind, Font, Function, QuotientStyle, Sign};
 use num_traits::Signed;
@@ -194,7 +194,11 @@ impl Writer {
                     ..self
                 };
                 text.push(' ');
-                text += &integrand.expression(body);
+                text += &if ends_in_bare_d(body) {
+                    self.group(body)
+                } else {
+                    integrand.expression(body)
+                };
                 text + "\\, \\mathrm{d}" + &canonical(variable)
             }
             ExprKind::Derivative {
@@ -270,14 +274,19 @@ impl Writer {
             ExprKind::Quotient { style, .. } => letters && *style == QuotientStyle::Bar,
             _ => false,
         };
-        let argument = match &argument.kind {
-            ExprKind::Product(factors) if bare => match self.product(factors, true) {
-                Some(text) => text,
-                None => self.group(argument),
-            },
-            _ if bare => self.operand(argument),
-            _ => self.group(argument),
+        let written = match &argument.kind {
+            ExprKind::Product(factors) if bare => self.product(factors, true),
+            _ if bare => Some(self.operand(argument)),
+            _ => None,
         };
+        // A bracket that is only the beginning of the argument would end it.
+        let whole = matches!(
+            argument.kind,
+            ExprKind::Group { .. } | ExprKind::Matrix { .. }
+        );
+        let argument = written
+            .filter(|text| whole || !text.starts_with('('))
+            .unwrap_or_else(|| self.group(argument));
         if argument.starts_with(|c: char| c.is_ascii_alphanumeric()) {
             text.push(' ');
         }
