@@ -144,9 +144,9 @@ fn definitions_declare_their_names() {
     );
     signature.declare_definitions(r"c = 2 \quad \underbrace{g(3)}_{w(s)} = \underbrace{d}_{k}");
     for (text, tree) in [
-        ("c(s)", "(* c (round s))"),
-        ("b(s)", "(* b (round s))"),
-        ("c_4(s)", "(* c_4 (round s))"),
+        ("c(n)", "(* c (round n))"),
+        ("b(n)", "(* b (round n))"),
+        ("c_4(n)", "(* c_4 (round n))"),
         ("k(m)", "(* k (round m))"),
         ("g(s + 1)", "(@ g (+s +1))"),
         ("w(m)", "(@ w m)"),
@@ -155,5 +155,14 @@ fn definitions_declare_their_names() {
         assert_eq!(applied(text, &signature).as_deref(), Ok(tree), "{text}");
     }
     assert!(applied("x(y)", &signature).is_err());
+    // A defined quantity may depend on time; a declared one says what it depends on.
+    let [t, z, k] = ["t", "z", "k"].map(|name| parse_name(name, 0).expect("a name"));
+    signature.declare_function(&z, &[t]);
+    assert_eq!(applied("c(t)", &signature).as_deref(), Ok("(@ c t)"));
+    signature.declare(&k);
+    assert_eq!(
+        applied("k(t)", &signature).as_deref(),
+        Ok("(* k (round t))")
+    );
     signature.declare_definitions("((");
 }

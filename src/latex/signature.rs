@@ -15,6 +15,8 @@ pub struct Signature {
     /// Functions, with the bases of the letters they are functions of.
     functions: BTreeMap<String, BTreeSet<String>>,
     names: BTreeSet<String>,
+    /// Names that an equation defines and no table declares.
+    defined: BTreeSet<String>,
     indexed: BTreeSet<Letter>,
     expectation: Option<String>,
 }
@@ -25,6 +27,7 @@ impl Default for Signature {
         Signature {
             functions: BTreeMap::new(),
             names: BTreeSet::new(),
+            defined: BTreeSet::new(),
             indexed: BTreeSet::new(),
             expectation: Some("E".to_owned()),
         }
@@ -52,11 +55,14 @@ impl Signature {
 
     /// Declares what the equations of a display define: the names, and the functions with their
     /// arguments, that stand alone on the left of an equals sign, and the names under its
-    /// braces. What is wrong with the display is for [`parse_display`](super::parse_display) to say.
+    /// braces. A name defined so may still be a function of time: it is applied in `x(t)`. What is wrong with the display is for [`parse_display`](super::parse_display) to say.
     pub fn declare_definitions(&mut self, text: &str) {
         for (name, arguments) in super::heads(text) {
             if arguments.is_empty() {
-                self.declare(&name);
+                self.defined.insert(canonical(&name.undotted()));
+                if name.subscript.is_some() {
+                    self.indexed.insert(name.letter.clone());
+                }
             } else if !self.is_declared(&name) {
                 self.declare_function(&name, &arguments);
             }
@@ -75,8 +81,15 @@ impl Signature {
 
     /// Whether the name is declared as something else than a function.
     pub fn is_declared(&self, name: &Name) -> bool {
-        self.names.contains(&canonical(&name.undotted()))
+        let key = canonical(&name.undotted());
+        self.names.contains(&key)
+            || self.defined.contains(&key)
             || name.subscript.is_some() && self.indexed.contains(&name.letter)
+    }
+
+    /// Whether a table says that the name is no function.
+    pub(super) fn is_no_function(&self, name: &Name) -> bool {
+        self.names.contains(&canonical(&name.undotted()))
     }
 
     /// Whether the name is the expectation where `\{` follows.

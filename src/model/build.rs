@@ -131,6 +131,9 @@ impl Builder {
                 signature.declare(&name);
             }
         }
+        for equation in &document.equations {
+            signature.declare_definitions(&equation.body.text);
+        }
         signature
     }
 

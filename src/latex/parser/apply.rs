@@ -25,14 +25,18 @@ impl Parser<'_> {
             self.ambiguous(["a function of its argument", "a product"], span)
         };
         let Some(variables) = self.signature.variables(name) else {
-            if self.signature.is_declared(name) || !self.holds_one_name(open + 1, close) {
+            if self.signature.is_no_function(name) || !self.holds_one_name(open + 1, close) {
                 return Ok(false);
             }
             let variable = close == open + 2
                 && self
                     .letter_at(open + 1)
                     .is_some_and(|letter| self.signature.is_variable(&letter));
-            return if variable { Ok(true) } else { Err(ambiguous()) };
+            return match (variable, self.signature.is_declared(name)) {
+                (true, _) => Ok(true),
+                (false, true) => Ok(false),
+                (false, false) => Err(ambiguous()),
+            };
         };
         let signed = usize::from(self.peek_at(1) == Some(&Token::Symbol('-')));
         if self.holds_one_name(open + 1 + signed, close) {
