@@ -6,7 +6,7 @@
 use super::Checker;
 use crate::verdict::{Because, NonVanishing};
 use num_traits::Signed;
-use ratpoly::{Polynomial, RationalFunction};
+use ratpoly::{Budget, Polynomial, RationalFunction};
 
 impl Checker<'_> {
     /// The conditions met since they were last cleared.
@@ -67,19 +67,14 @@ impl Checker<'_> {
     }
 }
 
-/// The irreducible factors that are not constants; the square-free parts where factoring is out
-/// of reach.
+/// The irreducible factors that are not constants; the polynomial itself where factoring is out of
+/// reach.
 fn irreducible_factors(polynomial: &Polynomial) -> Vec<Polynomial> {
     if polynomial.is_constant() {
         return Vec::new();
     }
-    factors(polynomial)
-        .into_iter()
-        .map(|(factor, _)| factor)
-        .filter(|factor| !factor.is_constant())
-        .collect()
-}
-
-fn factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
-    vec![(polynomial.clone(), 1)]
+    match polynomial.factor_within(&Budget::default()) {
+        Ok(product) => product.factors.into_iter().map(|(f, _)| f).collect(),
+        Err(_) => vec![polynomial.clone()],
+    }
 }

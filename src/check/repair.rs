@@ -385,11 +385,11 @@ fn sides_of<D: Domain>(
     Ok(pairs)
 }
 
-/// The first entry in which two values differ: its place, and both numbers.
-fn first_difference(
-    left: &Value<BigRational>,
-    right: &Value<BigRational>,
-) -> Option<(Option<(usize, usize)>, BigRational, BigRational)> {
+/// An entry in which two values differ: its place, and both numbers.
+type Difference = (Option<(usize, usize)>, BigRational, BigRational);
+
+/// The first entry in which two values differ.
+fn first_difference(left: &Value<BigRational>, right: &Value<BigRational>) -> Option<Difference> {
     let (rows, columns) = left.shape().or(right.shape())?;
     let at = |value: &Value<BigRational>, i: usize, j: usize| match value {
         Value::Matrix(m) if m.shape() == (rows, columns) => Some(m[(i, j)].clone()),

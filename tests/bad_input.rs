@@ -1,0 +1,235 @@
+//! Bad documents get a diagnostic that points at the place: file, line, column and an excerpt; all
+//! errors of a document at once, quickly, without a panic.
+
+use rederive::audit::Audit;
+use rederive::check::Options;
+use rederive::diagnostic::{DiagnosticKind, Rejection};
+use rederive::document::Document;
+use std::time::{Duration, Instant};
+
+const TABLE: &str = "```toml symbols\nx = { meaning = \"a letter\" }\ny = { meaning = \"another\" }\n\
+                     '\\mathbf{A}' = { meaning = \"no matrix at all\" }\n```\n";
+
+/// A document around one equation.
+fn around(role: &str, latex: &str) -> String {
+    format!("# Bad\n\n{TABLE}\n```math 1 {role}\n{latex}\n```\n")
+}
+
+fn rejected(text: &str) -> Rejection {
+    let started = Instant::now();
+    let result = match Document::parse("bad.md", text) {
+        Ok(document) => Audit::of(&document, Options::default()).map(|_| ()),
+        Err(diagnostics) => Err(Rejection {
+            name: "bad.md".into(),
+            text: text.into(),
+            diagnostics,
+        }),
+    };
+    assert!(
+        started.elapsed() < Duration::from_secs(5),
+        "not within the time"
+    );
+    result.expect_err("the document is bad")
+}
+
+/// The document is refused with a diagnostic of this kind at this line and column.
+fn refused(text: &str, line: usize, column: usize, kind: impl Fn(&DiagnosticKind) -> bool) {
+    let rejection = rejected(text);
+    let diagnostic = rejection
+        .diagnostics
+        .iter()
+        .find(|d| kind(&d.kind))
+        .unwrap_or_else(|| panic!("{rejection}"));
+    let before = &text[..diagnostic.span.start];
+    let found = (
+        before.matches('\n').count() + 1,
+        before.len() - before.rfind('\n').map_or(0, |n| n + 1) + 1,
+    );
+    assert_eq!(found, (line, column), "{rejection}");
+    let shown = rejection.to_string();
+    assert!(
+        shown.contains(&format!("bad.md:{line}:{column}")),
+        "{shown}"
+    );
+}
+
+#[test]
+fn a_lone_brace_is_pointed_at() {
+    refused(&around("claim", "x = \\frac{x}{y"), 10, 13, |k| {
+        matches!(k, DiagnosticKind::Unbalanced { .. })
+    });
+}
+
+#[test]
+fn an_undeclared_letter_is_pointed_at() {
+    refused(
+        &around("claim", "x = x + z"),
+        10,
+        9,
+        |k| matches!(k, DiagnosticKind::UndeclaredName { name } if name == "z"),
+    );
+}
+
+#[test]
+fn a_name_defined_twice_is_pointed_at() {
+    let text = around("define", "u = x") + "```math 2 define\nu = y\n```\n";
+    refused(
+        &text,
+        13,
+        1,
+        |k| matches!(k, DiagnosticKind::DuplicateName { name } if name == "u"),
+    );
+}
+
+#[test]
+fn definitions_in_a_circle_are_pointed_at() {
+    let text = around("define", "u = v + x, v = u - y");
+    let rejection = rejected(&text);
+    assert!(
+        rejection.diagnostics.iter().any(|d| matches!(
+            &d.kind,
+            DiagnosticKind::CyclicDefinition { cycle } if cycle.len() == 2
+        )),
+        "{rejection}"
+    );
+}
+
+#[test]
+fn a_matrix_of_the_wrong_shape_is_pointed_at() {
+    let latex = "\\begin{bmatrix} 1 & 2 \\\\ 3 & 4 \\end{bmatrix} \\begin{bmatrix} 1 \\\\ 2 \\\\ 3 \\end{bmatrix} = 0";
+    refused(&around("claim", latex), 10, 1, |k| {
+        matches!(k, DiagnosticKind::ShapeMismatch { .. })
+    });
+    refused(
+        &around("claim", "\\begin{bmatrix} x & y \\\\ x \\end{bmatrix} = 0"),
+        10,
+        26,
+        |k| !matches!(k, DiagnosticKind::UndeclaredName { .. }),
+    );
+}
+
+#[test]
+fn sides_of_different_shapes_are_pointed_at() {
+    refused(
+        &around("claim", "x = \\begin{bmatrix} x & y \\end{bmatrix}"),
+        10,
+        1,
+        |k| matches!(k, DiagnosticKind::ShapeMismatch { .. }),
+    );
+}
+
+#[test]
+fn division_by_something_identically_zero_is_pointed_at() {
+    refused(
+        &around("claim", "x = \\frac{y}{(x+y)^2 - x^2 - 2xy - y^2}"),
+        10,
+        14,
+        |k| matches!(k, DiagnosticKind::DivisionByZero),
+    );
+}
+
+#[test]
+fn a_huge_exponent_is_refused_and_not_computed() {
+    refused(&around("claim", "y = x^{10^9}"), 10, 8, |k| {
+        matches!(k, DiagnosticKind::Exponent { .. })
+    });
+}
+
+#[test]
+fn a_hundred_thousand_brackets_are_refused_and_not_entered() {
+    let latex = format!("y = {}x{}", "(".repeat(100_000), ")".repeat(100_000));
+    let rejection = rejected(&around("claim", &latex));
+    assert!(
+        rejection
+            .diagnostics
+            .iter()
+            .any(|d| matches!(d.kind, DiagnosticKind::TooDeep { .. })),
+        "no TooDeep"
+    );
+}
+
+#[test]
+fn an_empty_document_is_refused() {
+    for text in ["", "# Title only\n"] {
+        let rejection = rejected(text);
+        assert_eq!(rejection.diagnostics[0].kind, DiagnosticKind::EmptyDocument);
+    }
+}
+
+#[test]
+fn a_number_outside_its_meaning_is_pointed_at() {
+    let text = "```toml symbols\nx = { meaning = \"\", value = \"1/0\" }\n```\n";
+    refused(text, 2, 29, |k| {
+        matches!(k, DiagnosticKind::BadNumber { .. })
+    });
+}
+
+#[test]
+fn an_unknown_role_and_a_number_used_twice_are_both_reported() {
+    let text =
+        around("prove", "x = x") + "```math 1 claim\nx = x\n```\n```math 1 claim\ny = y\n```\n";
+    let rejection = rejected(&text);
+    let has =
+        |kind: fn(&DiagnosticKind) -> bool| rejection.diagnostics.iter().any(|d| kind(&d.kind));
+    assert!(
+        has(|k| matches!(k, DiagnosticKind::UnknownRole { .. })),
+        "{rejection}"
+    );
+    assert!(
+        has(|k| matches!(k, DiagnosticKind::DuplicateLabel { .. })),
+        "{rejection}"
+    );
+}
+
+#[test]
+fn all_errors_of_a_document_are_reported_at_once() {
+    let text = around("claim", "x = u")
+        + "```math 2 claim\ny = w + (x\n```\n```math 3 claim\nx = v_3\n```\n";
+    let rejection = rejected(&text);
+    let undeclared = rejection
+        .diagnostics
+        .iter()
+        .filter(|d| matches!(d.kind, DiagnosticKind::UndeclaredName { .. }))
+        .count();
+    assert!(undeclared >= 2, "{rejection}");
+    assert!(
+        rejection
+            .diagnostics
+            .iter()
+            .any(|d| matches!(d.kind, DiagnosticKind::Unbalanced { .. })),
+        "{rejection}"
+    );
+}
+
+/// What cannot be decided is undecided, never true and never a crash.
+#[test]
+fn what_lies_outside_is_undecided() {
+    for latex in ["x = \\int_0^1 y \\, dy", "x = \\cos y", "x < y"] {
+        let text = around("claim", latex);
+        let document = Document::parse("odd.md", &text).expect("a document");
+        let audit = Audit::of(&document, Options::default()).expect("an audit");
+        assert_eq!(
+            audit.outcomes[0].verdict.word().as_str(),
+            "undecided",
+            "{latex}"
+        );
+    }
+}
+
+/// A power that would fill the memory stops at the budget.
+#[test]
+fn an_exploding_power_is_undecided() {
+    let letters: Vec<String> = (1..=12).map(|i| format!("'s_{{{i}}}'")).collect();
+    let table: String = letters
+        .iter()
+        .map(|l| format!("{l} = {{ meaning = \"\" }}\n"))
+        .collect();
+    let sum: Vec<String> = (1..=12).map(|i| format!("s_{{{i}}}")).collect();
+    let text = format!(
+        "```toml symbols\n{table}```\n```math 1 claim\n({})^{{400}} = 1\n```\n",
+        sum.join(" + ")
+    );
+    let document = Document::parse("large.md", &text).expect("a document");
+    let audit = Audit::of(&document, Options::default()).expect("an audit");
+    assert_eq!(audit.outcomes[0].verdict.word().as_str(), "undecided");
+}
