@@ -1,7 +1,7 @@
 //! Reads LaTeX into the shared syntax tree, and writes it back.
 //!
-//! The way of a text: [`lexer`] (characters to lexemes), [`layout`] (lines, columns, spaces and
-//! equation numbers), [`parser`] (recursive descent with a depth limit), and [`writer`] for the
+//! The way of a text: `lexer` (characters to lexemes), `layout` (lines, columns, spaces and
+//! equation numbers), `parser` (recursive descent with a depth limit), and `writer` for the
 //! way back. Equations are read as they are printed; the conventions that decide a reading are
 //! these, and what they do not decide is reported as ambiguous:
 //!
@@ -16,8 +16,9 @@
 //!   equation stand in the bracket, a factor if it is declared as anything else or if the bracket
 //!   holds more than a name or a number. Undeclared, it is a function before the letter that
 //!   declared functions are functions of (`w(t)`), and ambiguous otherwise.
-//! - `^T` and `^t` transpose, unless the letter is declared and the base is a plain lower-case
-//!   letter or number.
+//! - `^T` and `^t` transpose. Where the letter is declared, they still do on what is bold or a
+//!   matrix, are an exponent on other lower-case letters, numbers and brackets, and are ambiguous
+//!   on a capital; on `e` that nothing declares they are an exponent.
 //! - Round trip: `parse(write(x))` is `x` up to brackets that `x` lacks and the page needs.
 
 mod layout;
