@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::multiply::{Failure, multiply};
 use crate::polynomial::{Polynomial, layout_of};
 use crate::ring::Ring;
-use crate::sum_of_products::sum_of_products;
+use crate::sum_of_products::fused;
 use crate::terms::{each_layout, same_layout};
 use num_bigint::BigInt;
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -31,7 +31,7 @@ impl Polynomial {
     /// The product, or [`Error::RingMismatch`] or [`Error::ExponentOverflow`].
     pub fn try_mul(&self, other: &Polynomial) -> Result<Polynomial, Error> {
         self.check_ring(other)?;
-        match sum_of_products(self.ring, &[(self, other)]) {
+        match fused(self.ring, &[(false, self, other)]) {
             Some(product) => Ok(product),
             None => self.mul_within(other, &UNLIMITED),
         }
@@ -143,25 +143,6 @@ impl Polynomial {
             });
         }
         self.try_mul(&Polynomial::from_term(self.ring, exponents, factor.into()))
-    }
-
-    /// The sum of the products of pairs; for short polynomials in one pass, without intermediate sums.
-    pub fn sum_of_products<'a>(
-        ring: Ring,
-        pairs: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>,
-    ) -> Result<Polynomial, Error> {
-        let pairs: Vec<(&Polynomial, &Polynomial)> = pairs.into_iter().collect();
-        if pairs.iter().any(|(f, g)| f.ring != ring || g.ring != ring) {
-            return Err(Error::RingMismatch);
-        }
-        if let Some(sum) = sum_of_products(ring, &pairs) {
-            return Ok(sum);
-        }
-        let products = pairs
-            .iter()
-            .map(|(f, g)| f.try_mul(g))
-            .collect::<Result<_, _>>()?;
-        Ok(Polynomial::sum(ring, products))
     }
 
     /// The sum of polynomials of a ring, added in pairs so that no long one is copied often.

@@ -23,6 +23,7 @@ mod add;
 mod arithmetic;
 mod budget;
 mod coefficient;
+mod common_denominator;
 mod display;
 mod divide;
 mod divide_heap;
@@ -55,6 +56,7 @@ pub mod univariate;
 mod window;
 
 pub use budget::Budget;
+pub use common_denominator::FactoredDenominator;
 pub use elimination::{relations, relations_within};
 pub use error::{Error, ParseErrorKind, Resource};
 pub use factor::Factorization;

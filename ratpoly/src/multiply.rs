@@ -13,7 +13,7 @@ use crate::terms::{Term, TermList};
 use crate::window;
 
 /// Up to this many products nothing is planned: they are formed and sorted.
-pub(crate) const SMALL: usize = 256;
+const SMALL: usize = 256;
 
 /// Why a product was not formed.
 #[derive(Debug)]

@@ -31,6 +31,8 @@ pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'sta
     fn overflows(&self, layout: &Layout) -> bool;
     /// Fields that are at least those of both, and have no more bits than the longer.
     fn join(&self, other: &Self) -> Self;
+    /// The greater of each two fields.
+    fn maximum(&self, other: &Self, layout: &Layout) -> Self;
     /// Whether a bit of the mask is set in a word.
     fn meets(&self, mask: u64) -> bool;
     /// The list among the lists of all kinds.
@@ -157,6 +159,18 @@ macro_rules! packed {
             }
 
             #[inline]
+            fn maximum(&self, other: &Self, layout: &Layout) -> Self {
+                // A guard bit survives the difference where the left field is not less; below it a
+                // mask of the whole field is made.
+                Packed(std::array::from_fn(|k| {
+                    let (a, b) = (self.0[k], other.0[k]);
+                    let not_less = (a | layout.guard).wrapping_sub(b) & layout.guard;
+                    let mask = not_less - (not_less >> (layout.bits - 1));
+                    a & mask | b & !mask
+                }))
+            }
+
+            #[inline]
             fn meets(&self, mask: u64) -> bool {
                 self.0.iter().any(|w| w & mask != 0)
             }
@@ -227,6 +241,10 @@ impl PackedMonomial for Wide {
                 .map(|(a, b)| *a.max(b))
                 .collect(),
         )
+    }
+
+    fn maximum(&self, other: &Self, _: &Layout) -> Self {
+        self.join(other)
     }
 
     fn meets(&self, mask: u64) -> bool {

@@ -1,105 +1,294 @@
-//! The fast path for short polynomials with coefficients of one word: a sum of products in one pass.
+//! Sums of products in one pass: what matrix products, minors and recursions consist of.
 //!
-//! All products of terms are written into one vector, sorted and combined there; the vector becomes the
-//! result. A bound shows beforehand that neither exponents nor coefficients can overflow; where it does
-//! not, or where a product is long enough for a better method, the caller multiplies one by one.
+//! A term times a polynomial is a run, already in order. A sum of products with short factors is a set of
+//! runs, which are merged in pairs, the factors multiplied on the way, without a product stored in between.
+//! Very few terms are formed and sorted instead; long times long is left to the multiplication.
 
-use crate::coefficient::Accumulator;
-use crate::layout::Layout;
-use crate::multiply::SMALL;
-use crate::packed::{Packed, PackedMonomial, Wide};
+use crate::coefficient::{Accumulator, ProductsOf};
+use crate::error::Error;
+use crate::layout::{KINDS, Layout};
+use crate::packed::{Packed, PackedMonomial};
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
-use crate::terms::{Term, TermList, Terms};
+use crate::terms::{Term, TermList};
 
-/// The sum of the products of pairs from one ring, if the fast path applies.
-#[inline]
-pub(crate) fn sum_of_products(
-    ring: Ring,
-    pairs: &[(&Polynomial, &Polynomial)],
-) -> Option<Polynomial> {
-    let terms = match &pairs.first()?.0.terms {
-        Terms::One(_) => sum_in_layout::<Packed<1>>(ring, pairs)?.into_terms(ring),
-        Terms::Two(_) => sum_in_layout::<Packed<2>>(ring, pairs)?.into_terms(ring),
-        Terms::Four(_) => sum_in_layout::<Packed<4>>(ring, pairs)?.into_terms(ring),
-        Terms::Wide(_) => sum_in_layout::<Wide>(ring, pairs)?.into_terms(ring),
-    };
-    Some(Polynomial { ring, terms })
+/// Up to this many products of terms are formed and sorted.
+const SMALL: usize = 24;
+/// Up to this many runs are merged.
+const MOST_RUNS: usize = 64;
+/// A single product of more runs is left to the multiplication, unless it is shorter than this.
+const FEW_RUNS: usize = 8;
+const SHORT: usize = 256;
+
+/// A product and whether it is subtracted.
+pub(crate) type SignedProduct<'a> = (bool, &'a Polynomial, &'a Polynomial);
+
+impl Polynomial {
+    /// The sum of the products of pairs, or [`Error::RingMismatch`] or [`Error::ExponentOverflow`].
+    pub fn sum_of_products<'a>(
+        ring: Ring,
+        pairs: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>,
+    ) -> Result<Polynomial, Error> {
+        let products: Vec<SignedProduct<'a>> =
+            pairs.into_iter().map(|(f, g)| (false, f, g)).collect();
+        Polynomial::signed_sum_of_products(ring, &products)
+    }
+
+    /// The sum of products, some of them subtracted.
+    pub(crate) fn signed_sum_of_products(
+        ring: Ring,
+        products: &[SignedProduct<'_>],
+    ) -> Result<Polynomial, Error> {
+        if products
+            .iter()
+            .any(|(_, f, g)| f.ring != ring || g.ring != ring)
+        {
+            return Err(Error::RingMismatch);
+        }
+        if let Some(sum) = fused(ring, products) {
+            return Ok(sum);
+        }
+        let mut summands = Vec::with_capacity(products.len());
+        for (negate, f, g) in products {
+            if !f.is_zero() && !g.is_zero() {
+                let product = f.try_mul(g)?;
+                summands.push(if *negate { -product } else { product });
+            }
+        }
+        Ok(Polynomial::sum(ring, summands))
+    }
 }
 
-fn sum_in_layout<M: PackedMonomial>(
+/// The sum of products of this ring, if a method here is the right one for it.
+#[inline]
+pub(crate) fn fused(ring: Ring, products: &[SignedProduct<'_>]) -> Option<Polynomial> {
+    let narrowest = ring.narrowest();
+    let kinds = products
+        .iter()
+        .flat_map(|(_, f, g)| [f.terms.kind(), g.terms.kind()]);
+    let mut widest = narrowest;
+    let mut narrow = true;
+    for kind in kinds {
+        narrow &= kind == narrowest;
+        widest = widest.max(kind);
+    }
+    if narrow {
+        match fuse_in_kind(ring, narrowest, products) {
+            Fused::Sum(sum) => return Some(sum),
+            Fused::Unsuitable => return None,
+            Fused::LayoutTooNarrow => widest += 1,
+        }
+    }
+    fused_wider(ring, widest, products)
+}
+
+/// The same with all operands in one layout, perhaps a wider one, so that the result fits.
+#[cold]
+fn fused_wider(ring: Ring, widest: usize, products: &[SignedProduct<'_>]) -> Option<Polynomial> {
+    for kind in (widest..KINDS).filter(|&kind| ring.layout(kind).is_some()) {
+        let convert = |f: &Polynomial| Polynomial {
+            ring,
+            terms: f.terms.in_kind(ring, kind),
+        };
+        let converted: Vec<(bool, Polynomial, Polynomial)> = products
+            .iter()
+            .map(|(negate, f, g)| (*negate, convert(f), convert(g)))
+            .collect();
+        let borrowed: Vec<SignedProduct<'_>> = converted
+            .iter()
+            .map(|(negate, f, g)| (*negate, f, g))
+            .collect();
+        match fuse_in_kind(ring, kind, &borrowed) {
+            Fused::Sum(sum) => return Some(sum),
+            Fused::Unsuitable => return None,
+            Fused::LayoutTooNarrow => {}
+        }
+    }
+    None
+}
+
+/// What came of an attempt.
+enum Fused<T> {
+    Sum(T),
+    /// Long times long, or coefficients that need more than two words.
+    Unsuitable,
+    /// An exponent may not fit the layout.
+    LayoutTooNarrow,
+}
+
+#[inline]
+fn fuse_in_kind(ring: Ring, kind: usize, products: &[SignedProduct<'_>]) -> Fused<Polynomial> {
+    match kind {
+        0 => fuse::<Packed<1>>(ring, products),
+        1 => fuse::<Packed<2>>(ring, products),
+        2 => fuse::<Packed<4>>(ring, products),
+        _ => Fused::Unsuitable,
+    }
+}
+
+/// A term times a list of word coefficients.
+#[derive(Clone, Copy)]
+struct Run<'a, M> {
+    monomial: M,
+    factor: i64,
+    list: &'a [Term<M, i64>],
+}
+
+fn fuse<'a, M: PackedMonomial + Copy>(
     ring: Ring,
-    pairs: &[(&Polynomial, &Polynomial)],
-) -> Option<TermList<M>> {
+    products: &[SignedProduct<'a>],
+) -> Fused<Polynomial> {
     let layout = M::layout(ring);
-    let mut products = 0;
-    let mut bound: u64 = 0;
-    for (f, g) in pairs {
-        let (f, g) = (M::words(&f.terms)?, M::words(&g.terms)?);
-        let (shorter, count) = (f.len().min(g.len()), f.len() * g.len());
-        if count == 0 {
+    let mut runs: Vec<Run<'a, M>> = Vec::with_capacity(products.len());
+    let (mut total, mut bits, mut overflows) = (0, 0, false);
+    for &(negate, f, g) in products {
+        let (Some(f), Some(g)) = (M::words(&f.terms), M::words(&g.terms)) else {
+            return Fused::Unsuitable;
+        };
+        let (f, g) = if f.len() <= g.len() { (f, g) } else { (g, f) };
+        if runs.len() + f.len() > MOST_RUNS {
+            return Fused::Unsuitable;
+        }
+        let (Some((a, m)), Some((b, n))) = (extent(f, layout), extent(g, layout)) else {
             continue;
+        };
+        total += f.len() * g.len();
+        bits = bits.max(a + b);
+        overflows |= m.product(&n).overflows(layout);
+        runs.extend(f.iter().map(|term| Run {
+            monomial: term.monomial,
+            factor: if negate {
+                term.coefficient.wrapping_neg()
+            } else {
+                term.coefficient
+            },
+            list: g,
+        }));
+    }
+    if overflows {
+        return Fused::LayoutTooNarrow;
+    }
+    if products.len() == 1 && runs.len() > FEW_RUNS && total > SHORT {
+        return Fused::Unsuitable;
+    }
+    // A coefficient of the sum adds at most one term of each run. (The negative of the least word is the
+    // one factor that would be wrong; the bound keeps it out.)
+    bits += usize::BITS - runs.len().leading_zeros();
+    let list = match bits {
+        0..=62 => accumulate::<M, i64>(&runs, total),
+        63..=126 if runs.iter().all(|run| run.factor != i64::MIN) => {
+            accumulate::<M, i128>(&runs, total)
         }
-        if shorter > 1 && count > SMALL {
-            return None;
-        }
-        products += count;
-        bound = bound.checked_add(coefficient_bound(f, g, shorter, layout)?)?;
-    }
-    if bound > i64::MAX as u64 {
-        return None;
-    }
-    let mut all: Vec<Term<M, i64>> = Vec::with_capacity(products);
-    for (f, g) in pairs {
-        let (f, g) = (M::words(&f.terms)?, M::words(&g.terms)?);
-        let (shorter, longer) = if f.len() <= g.len() { (f, g) } else { (g, f) };
-        for a in shorter {
-            all.extend(longer.iter().map(|b| Term {
-                monomial: a.monomial.product(&b.monomial),
-                coefficient: a.coefficient * b.coefficient,
-            }));
-        }
-    }
-    if let [(f, g)] = pairs
-        && (f.len() == 1 || g.len() == 1)
-    {
-        return Some(TermList::Word(all));
-    }
-    Some(i64::collect(all))
+        _ => return Fused::Unsuitable,
+    };
+    Fused::Sum(Polynomial {
+        ring,
+        terms: list.into_terms(ring),
+    })
 }
 
-/// A bound on the coefficients of a product; `None` if they or the exponents may overflow.
+/// The bits of the largest coefficient and, field by field, the greatest exponents; `None` for no terms.
 #[inline]
-fn coefficient_bound<M: PackedMonomial>(
-    f: &[Term<M, i64>],
-    g: &[Term<M, i64>],
-    shorter: usize,
-    layout: &Layout,
-) -> Option<u64> {
-    if layout.is_wide() {
-        return None;
-    }
-    let ((m, a), (n, b)) = (join(f)?, join(g)?);
-    if m.product(&n).overflows(layout) {
-        return None;
-    }
-    // Both disjunctions are below the next power of two, and so are all coefficients.
-    let bits = 128 - a.leading_zeros() - b.leading_zeros();
-    if bits > 62 {
-        None
-    } else {
-        (1u64 << bits).checked_mul(shorter as u64)
-    }
-}
-
-/// The disjunctions of all monomials and of all magnitudes of coefficients.
-#[inline]
-fn join<M: PackedMonomial>(terms: &[Term<M, i64>]) -> Option<(M, u64)> {
+fn extent<M: PackedMonomial + Copy>(terms: &[Term<M, i64>], layout: &Layout) -> Option<(u32, M)> {
     let (first, rest) = terms.split_first()?;
-    let mut joined = (first.monomial.clone(), first.coefficient.unsigned_abs());
+    let mut size = first.coefficient.unsigned_abs();
+    let mut most = first.monomial;
     for term in rest {
-        joined.0 = joined.0.join(&term.monomial);
-        joined.1 |= term.coefficient.unsigned_abs();
+        size |= term.coefficient.unsigned_abs();
+        most = most.maximum(&term.monomial, layout);
     }
-    Some(joined)
+    Some((64 - size.leading_zeros(), most))
+}
+
+/// A sum of products of words.
+trait Sum: ProductsOf<i64> + Copy {
+    /// The list, in order and without zeros.
+    fn into_list<M: PackedMonomial>(terms: Vec<Term<M, Self>>) -> TermList<M>;
+}
+
+impl Sum for i64 {
+    fn into_list<M: PackedMonomial>(terms: Vec<Term<M, i64>>) -> TermList<M> {
+        TermList::Word(terms)
+    }
+}
+
+impl Sum for i128 {
+    fn into_list<M: PackedMonomial>(terms: Vec<Term<M, i128>>) -> TermList<M> {
+        let mut list = TermList::with_capacity(terms.len());
+        for term in terms {
+            term.coefficient.append(term.monomial, &mut list);
+        }
+        list
+    }
+}
+
+impl<M: PackedMonomial + Copy> Run<'_, M> {
+    #[inline(always)]
+    fn term<A: Sum>(&self, index: usize) -> Term<M, A> {
+        let term = &self.list[index];
+        Term {
+            monomial: self.monomial.product(&term.monomial),
+            coefficient: A::product(&self.factor, &term.coefficient),
+        }
+    }
+}
+
+fn accumulate<M: PackedMonomial + Copy, A: Sum>(runs: &[Run<'_, M>], total: usize) -> TermList<M> {
+    if let [run] = runs {
+        return A::into_list((0..run.list.len()).map(|k| run.term(k)).collect());
+    }
+    if total <= SMALL {
+        let mut all: Vec<Term<M, A>> = Vec::with_capacity(total);
+        for run in runs {
+            all.extend((0..run.list.len()).map(|k| run.term::<A>(k)));
+        }
+        return A::collect(all);
+    }
+    let mut level: Vec<Vec<Term<M, A>>> = runs
+        .chunks(2)
+        .map(|pair| {
+            let lengths = (pair[0].list.len(), pair.get(1).map_or(0, |b| b.list.len()));
+            merge(lengths, |i| pair[0].term(i), |j| pair[1].term(j))
+        })
+        .collect();
+    while level.len() > 1 {
+        level = level
+            .chunks(2)
+            .map(|pair| match pair {
+                [a, b] => merge((a.len(), b.len()), |i| a[i].clone(), |j| b[j].clone()),
+                _ => pair[0].clone(),
+            })
+            .collect();
+    }
+    A::into_list(level.pop().unwrap_or_default())
+}
+
+/// The sum of two descending lists, given by their lengths and terms. Which list is ahead is as good as
+/// random, so the comparison moves the places by arithmetic instead of a branch.
+#[inline(always)]
+fn merge<M: PackedMonomial + Copy, A: Sum>(
+    (m, n): (usize, usize),
+    a: impl Fn(usize) -> Term<M, A>,
+    b: impl Fn(usize) -> Term<M, A>,
+) -> Vec<Term<M, A>> {
+    let mut sum: Vec<Term<M, A>> = Vec::with_capacity(m + n);
+    let (mut i, mut j) = (0, 0);
+    while i < m && j < n {
+        let (x, y) = (a(i), b(j));
+        let left = x.monomial >= y.monomial;
+        let right = y.monomial >= x.monomial;
+        let mut coefficient = if left { x.coefficient } else { A::ZERO };
+        coefficient.add(&if right { y.coefficient } else { A::ZERO });
+        i += usize::from(left);
+        j += usize::from(right);
+        if !coefficient.is_zero() {
+            sum.push(Term {
+                monomial: if left { x.monomial } else { y.monomial },
+                coefficient,
+            });
+        }
+    }
+    sum.extend((i..m).map(a));
+    sum.extend((j..n).map(b));
+    sum
 }

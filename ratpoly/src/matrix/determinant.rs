@@ -1,7 +1,7 @@
 //! Determinants, adjugates, inverses: the choice of a method by size and shape.
 
 use super::interpolation;
-use super::minors::{Minors, count_states};
+use super::minors::{Cells, Plan};
 use super::{Matrix, bareiss};
 use crate::budget::Budget;
 use crate::error::Error;
@@ -33,7 +33,13 @@ impl Matrix<Polynomial> {
             let (a, b) = (sum.determinant(budget)?, difference.determinant(budget)?);
             return a.mul_within(&b, budget);
         }
-        self.determinant_by(self.choose_method(), budget)
+        // The plan is kept if it is used.
+        match self.plan() {
+            Some(plan) if self.choose_by(Some(plan.len())) == DeterminantMethod::Minors => {
+                self.by_minors(&plan, budget)
+            }
+            plan => self.determinant_by(self.choose_by(plan.map(|p| p.len())), budget),
+        }
     }
 
     /// The determinant by a given method.
@@ -44,23 +50,48 @@ impl Matrix<Polynomial> {
     ) -> Result<Polynomial, Error> {
         let n = self.check_square()?;
         match method {
-            DeterminantMethod::Minors if n > 62 => {
-                Err(Error::Unsupported("minors are for at most 62 rows"))
-            }
             DeterminantMethod::Minors => {
-                let mut minors = Minors::new(self, budget);
-                minors.minor((1 << n) - 1).cloned()
+                let all = if n < 63 { (1 << n) - 1 } else { 0 };
+                let plan = Plan::new(&self.cells(), vec![all], 1 << 24)
+                    .ok_or(Error::Unsupported("too many minors"))?;
+                self.by_minors(&plan, budget)
             }
             DeterminantMethod::Bareiss => bareiss::determinant(self, budget),
             DeterminantMethod::Interpolation => interpolation::determinant(self, budget),
         }
     }
 
+    fn by_minors(&self, plan: &Plan, budget: &Budget) -> Result<Polynomial, Error> {
+        let mut minors = plan.minors(&self.cells(), budget)?;
+        Ok(minors.pop().expect("one set of rows was wanted"))
+    }
+
+    fn plan(&self) -> Option<Plan> {
+        let n = self.rows;
+        (n < 63).then(|| Plan::new(&self.cells(), vec![(1 << n) - 1], MOST_STATES))?
+    }
+
+    fn cells(&self) -> Cells<'_> {
+        let nonzero = |entry: &'_ Polynomial| !entry.is_zero();
+        Cells {
+            ring: self.ring,
+            size: self.rows,
+            entries: self
+                .entries
+                .iter()
+                .map(|e| Some(e).filter(|e| nonzero(e)))
+                .collect(),
+        }
+    }
+
     /// Interpolation for many dense entries in few variables, minors where they are few, otherwise
     /// elimination.
     pub fn choose_method(&self) -> DeterminantMethod {
+        self.choose_by(self.plan().map(|plan| plan.len()))
+    }
+
+    fn choose_by(&self, states: Option<usize>) -> DeterminantMethod {
         let n = self.rows;
-        let states = count_states(self, MOST_STATES);
         let terms: usize = self.entries.iter().map(Polynomial::len).sum();
         // With entries of one or two terms nothing beats the minors, if they are not too many.
         let sparse = terms <= 3 * self.entries.iter().filter(|e| !e.is_zero()).count();
@@ -118,27 +149,32 @@ impl Matrix<Polynomial> {
                 found: column,
             });
         }
-        let rows: Vec<usize> = (0..n).collect();
-        let mut order = rows.clone();
-        order.remove(column);
-        order.insert(0, column);
-        let moved = self.submatrix(&rows, &order)?;
-        let negate = |k: usize| (k + column) % 2 == 1;
-        if n > 62 || count_states(&moved, MOST_STATES).is_none() {
-            return (0..n)
-                .map(|k| {
-                    let rest: Vec<usize> = rows.iter().copied().filter(|&i| i != k).collect();
-                    let minor = self.submatrix(&rest, &order[1..])?.determinant(budget)?;
-                    Ok(if negate(k) { -minor } else { minor })
-                })
-                .collect();
+        // The column goes to the front, the others keep their order.
+        let order: Vec<usize> = std::iter::once(column)
+            .chain((0..n).filter(|&j| j != column))
+            .collect();
+        let cells = self.cells();
+        let moved = Cells {
+            entries: (0..n * n)
+                .map(|k| cells.entries[k / n * n + order[k % n]])
+                .collect(),
+            ..cells
+        };
+        let signed = |cofactors: Vec<Polynomial>| {
+            let odd = column % 2 == 1;
+            cofactors
+                .into_iter()
+                .map(|c| if odd { -c } else { c })
+                .collect()
+        };
+        if let Some(cofactors) = first_cofactors(&moved, budget)? {
+            return Ok(signed(cofactors));
         }
-        let mut minors = Minors::new(&moved, budget);
-        let full = (1_u64 << n) - 1;
         (0..n)
             .map(|k| {
-                let minor = minors.minor(full & !(1 << k))?;
-                Ok(if negate(k) { -minor } else { minor.clone() })
+                let rest: Vec<usize> = (0..n).filter(|&i| i != k).collect();
+                let minor = self.submatrix(&rest, &order[1..])?.determinant(budget)?;
+                Ok(if (k + column) % 2 == 1 { -minor } else { minor })
             })
             .collect()
     }
@@ -177,6 +213,26 @@ impl Matrix<Polynomial> {
             RationalFunction::new(adjugate[(i, j)].clone(), determinant.clone())
         })
     }
+}
+
+/// The signed cofactors of the first column by cached minors, if these are not too many.
+pub(crate) fn first_cofactors(
+    cells: &Cells<'_>,
+    budget: &Budget,
+) -> Result<Option<Vec<Polynomial>>, Error> {
+    let n = cells.size;
+    if n > 62 {
+        return Ok(None);
+    }
+    let full = (1_u64 << n) - 1;
+    let wanted = (0..n).rev().map(|k| full & !(1 << k)).collect();
+    let Some(plan) = Plan::new(cells, wanted, MOST_STATES) else {
+        return Ok(None);
+    };
+    // The sets ascend: the one without the last row comes first.
+    let minors = plan.minors(cells, budget)?.into_iter().rev().enumerate();
+    let signed = minors.map(|(k, minor)| if k % 2 == 1 { -minor } else { minor });
+    Ok(Some(signed.collect()))
 }
 
 /// A bound on the absolute values of the coefficients of the determinant: the product over the rows of

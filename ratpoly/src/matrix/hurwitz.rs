@@ -1,7 +1,8 @@
 //! Hurwitz matrices of the coefficients of a polynomial, and Toeplitz matrices.
 
 use super::Matrix;
-use super::minors::Minors;
+use super::determinant::first_cofactors;
+use super::minors::Cells;
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::polynomial::Polynomial;
@@ -53,20 +54,24 @@ pub fn hurwitz_cofactors(
     coefficients: &[Polynomial],
     budget: &Budget,
 ) -> Result<(Vec<Polynomial>, Polynomial), Error> {
-    let matrix = hurwitz_matrix(ring, coefficients)?;
-    let n = matrix.rows();
-    if n > 30 {
-        return Err(Error::Unsupported("at most degree 30"));
+    let n = degree(coefficients)?;
+    if coefficients.iter().any(|a| a.ring() != ring) {
+        return Err(Error::RingMismatch);
     }
-    let mut minors = Minors::new(&matrix, budget);
-    let full = (1_u64 << n) - 1;
-    let mut cofactors = Vec::with_capacity(n);
-    for k in 0..n {
-        let minor = minors.minor(full & !(1 << k))?;
-        cofactors.push(if k % 2 == 1 { -minor } else { minor.clone() });
-    }
-    let column = (0..n).map(|i| (&matrix[(i, 0)], &cofactors[i]));
-    let column = column.filter(|(a, _)| !a.is_zero());
+    let cells = Cells {
+        ring,
+        size: n,
+        entries: (0..n * n)
+            .map(|place| {
+                let k = (2 * (place / n) + 1).checked_sub(place % n)?;
+                coefficients.get(k).filter(|a| !a.is_zero())
+            })
+            .collect(),
+    };
+    let cofactors =
+        first_cofactors(&cells, budget)?.ok_or(Error::Unsupported("the degree is too large"))?;
+    let column = cofactors.iter().enumerate();
+    let column = column.filter_map(|(i, c)| Some((cells.entries[i * n]?, c)));
     let determinant = Polynomial::sum_of_products(ring, column)?;
     Ok((cofactors, determinant))
 }

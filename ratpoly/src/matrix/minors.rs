@@ -3,104 +3,115 @@
 //! matrices far fewer, and nothing is ever divided (Gentleman, Johnson 1976, recommend it for sparse
 //! symbolic matrices).
 
-use super::Matrix;
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::polynomial::Polynomial;
-use std::collections::HashMap;
+use crate::ring::Ring;
+use crate::sum_of_products::SignedProduct;
 
-/// The minors of a square matrix, found on demand.
-pub(crate) struct Minors<'a> {
-    matrix: &'a Matrix<Polynomial>,
-    /// The entries with the opposite sign.
-    negated: Vec<Polynomial>,
-    /// By set of rows. Only looked up, never iterated.
-    known: HashMap<u64, Polynomial>,
-    budget: &'a Budget,
+/// A square matrix that borrows its entries.
+pub(crate) struct Cells<'a> {
+    pub(crate) ring: Ring,
+    pub(crate) size: usize,
+    /// Row by row; `None` for zero.
+    pub(crate) entries: Vec<Option<&'a Polynomial>>,
 }
 
-impl<'a> Minors<'a> {
-    pub(crate) fn new(matrix: &'a Matrix<Polynomial>, budget: &'a Budget) -> Self {
-        Minors {
-            matrix,
-            negated: matrix.entries.iter().map(|entry| -entry).collect(),
-            known: HashMap::new(),
-            budget,
-        }
-    }
+/// The sets of rows that expansion visits, column by column.
+pub(crate) struct Plan {
+    /// Entry `k`: the sets of the minors of the columns from `k` on, ascending.
+    levels: Vec<Vec<u64>>,
+    /// The column from which the wanted minors begin.
+    first: usize,
+}
 
-    /// The minor of a set of rows and as many last columns.
-    pub(crate) fn minor(&mut self, rows: u64) -> Result<&Polynomial, Error> {
-        if !self.known.contains_key(&rows) {
-            let minor = self.expand(rows)?;
-            self.known.insert(rows, minor);
-        }
-        Ok(&self.known[&rows])
-    }
-
-    fn expand(&mut self, rows: u64) -> Result<Polynomial, Error> {
-        let n = self.matrix.columns;
-        let ring = self.matrix.ring;
-        if rows == 0 {
-            return Ok(Polynomial::one(ring));
-        }
-        let column = n - rows.count_ones() as usize;
-        let mut summands: Vec<(usize, u64)> = Vec::new();
-        let members = (0..n).filter(|row| rows >> row & 1 == 1);
-        for (position, row) in members.enumerate() {
-            let place = row * n + column;
-            if !self.matrix.entries[place].is_zero() {
-                let rest = rows & !(1 << row);
-                if !self.minor(rest)?.is_zero() {
-                    // An odd place in the set takes the other sign, which is marked by an offset.
-                    summands.push((place + position % 2 * n * n, rest));
+impl Plan {
+    /// What the minors of the given sets of rows, all of one size, need; `None` beyond `limit` sets or 62
+    /// rows.
+    pub(crate) fn new(cells: &Cells<'_>, wanted: Vec<u64>, limit: usize) -> Option<Self> {
+        let n = cells.size;
+        let first = n - wanted.first()?.count_ones() as usize;
+        let mut levels = vec![Vec::new(); first];
+        let mut count = wanted.len();
+        let mut level = wanted;
+        level.sort_unstable();
+        level.dedup();
+        for column in first..n {
+            let mut next = Vec::with_capacity(2 * level.len());
+            for &rows in &level {
+                for row in members(rows) {
+                    if cells.entries[row * n + column].is_some() {
+                        next.push(rows & !(1 << row));
+                    }
                 }
             }
+            next.sort_unstable();
+            next.dedup();
+            count += next.len();
+            if n > 62 || count > limit {
+                return None;
+            }
+            levels.push(std::mem::replace(&mut level, next));
         }
-        let pairs: Vec<(&Polynomial, &Polynomial)> = summands
-            .iter()
-            .map(|&(place, rest)| {
-                let entry = match place.checked_sub(n * n) {
-                    None => &self.matrix.entries[place],
-                    Some(place) => &self.negated[place],
-                };
-                (entry, &self.known[&rest])
-            })
-            .collect();
-        for (f, g) in &pairs {
-            self.budget.spend((f.len() as u64) * (g.len() as u64))?;
+        levels.push(level);
+        Some(Plan { levels, first })
+    }
+
+    /// The number of sets.
+    pub(crate) fn len(&self) -> usize {
+        self.levels.iter().map(Vec::len).sum()
+    }
+
+    /// The minors of the wanted sets, ascending by set. From the last column backwards only two columns'
+    /// minors are kept.
+    pub(crate) fn minors(
+        &self,
+        cells: &Cells<'_>,
+        budget: &Budget,
+    ) -> Result<Vec<Polynomial>, Error> {
+        let (ring, n) = (cells.ring, cells.size);
+        let mut known = vec![Polynomial::one(ring); self.levels[n].len()];
+        for column in (self.first..n).rev() {
+            let below = &self.levels[column + 1];
+            let mut next = Vec::with_capacity(self.levels[column].len());
+            let mut summands: Vec<SignedProduct<'_>> = Vec::with_capacity(n);
+            for &rows in &self.levels[column] {
+                summands.clear();
+                let mut work = 0;
+                for (position, row) in members(rows).enumerate() {
+                    let Some(entry) = cells.entries[row * n + column] else {
+                        continue;
+                    };
+                    let rest = below
+                        .binary_search(&(rows & !(1 << row)))
+                        .expect("the plan holds every set that is needed");
+                    let minor = &known[rest];
+                    if !minor.is_zero() {
+                        work += (entry.len() * minor.len()) as u64;
+                        summands.push((position % 2 == 1, entry, minor));
+                    }
+                }
+                budget.spend(work)?;
+                let minor = Polynomial::signed_sum_of_products(ring, &summands)?;
+                budget.check_terms(minor.len())?;
+                if budget.bits() < u64::MAX {
+                    budget.check_bits(minor.coefficient_bits())?;
+                }
+                next.push(minor);
+            }
+            known = next;
         }
-        let minor = Polynomial::sum_of_products(ring, pairs)?;
-        self.budget.check_terms(minor.len())?;
-        self.budget.check_bits(minor.coefficient_bits())?;
-        Ok(minor)
+        Ok(known)
     }
 }
 
-/// The number of sets of rows that expansion along columns visits, or `None` beyond a limit.
-pub(crate) fn count_states(matrix: &Matrix<Polynomial>, limit: usize) -> Option<usize> {
-    let n = matrix.columns;
-    if n > 62 {
-        return None;
-    }
-    let mut level = vec![(1_u64 << n) - 1];
-    let mut count = 1;
-    for column in 0..n {
-        let mut next = Vec::new();
-        for rows in level {
-            for row in (0..n).filter(|row| rows >> row & 1 == 1) {
-                if !matrix.entries[row * n + column].is_zero() {
-                    next.push(rows & !(1 << row));
-                }
-            }
-        }
-        next.sort_unstable();
-        next.dedup();
-        count += next.len();
-        if count > limit {
-            return None;
-        }
-        level = next;
-    }
-    Some(count)
+/// The elements of a set, ascending.
+fn members(mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        (set != 0).then(|| {
+            let least = set.trailing_zeros() as usize;
+            set &= set - 1;
+            least
+        })
+    })
 }
