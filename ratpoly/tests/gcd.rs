@@ -264,6 +264,24 @@ fn huge_coefficients() {
     assert!(check(&f, &g).is_one());
 }
 
+/// Powers of two have small residues modulo primes just below one: the first prime shows coefficients
+/// that look final and are not. Found by the law tests as a hundredfold slowdown.
+#[test]
+fn coefficients_that_look_small() {
+    let ring = ring(3, Order::Grevlex);
+    let d = poly(
+        ring,
+        "9223372036854775809*a^4*b*c^5 + a^4*b^4*c + 2*a^3*b^2*c^3 + 2*a*b*c^5 + 2*b^2*c^2 - 3*b*c^3",
+    );
+    let f = &d * poly(ring, "9223372036854775805*a^2*b^2*c^3 + b^2 + 2*a");
+    let g = &d * poly(ring, "9223372036854775809*a^3*b - 3*b*c^2 + 2");
+    let budget = Budget::new(usize::MAX, u64::MAX, 20_000);
+    assert_eq!(
+        gcd_within(&f, &g, &budget).map(|found| found == d),
+        Ok(true)
+    );
+}
+
 /// A gcd with a content in every variable, of which the main variable's images see nothing.
 #[test]
 fn contents_in_every_variable() {

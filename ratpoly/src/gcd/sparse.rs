@@ -74,6 +74,7 @@ fn sparse_gcd_modulo(
         let Some(mut images) = Images::new(&field, views, plan, number as u64) else {
             continue;
         };
+        let first_look = known.is_none();
         let stable = match &mut known {
             None => {
                 let Some((support, residues)) = images.interpolate(bounds, budget)? else {
@@ -107,6 +108,11 @@ fn sparse_gcd_modulo(
         let candidate = plan.candidate(views, support, remainder.values(), bounds, budget)?;
         if let Some(found) = common_divisor(views.polynomials(), &candidate, 0) {
             return finish(found, views, bounds, first + number + 1, budget);
+        }
+        // One prime may have shown residues of larger coefficients (2⁶³ is small modulo a prime just below
+        // 2⁶²): go on. If even another prime changed nothing, some prime was unlucky: begin again.
+        if first_look {
+            continue;
         }
         restarts += 1;
         known = None;
