@@ -4,6 +4,7 @@ use crate::check::{self, Options};
 use crate::diagnostic::Rejection;
 use crate::document::{Document, VerdictWord};
 use crate::model::Model;
+use crate::stack::with_deep_stack;
 use crate::unit::{self, UnitFinding};
 use crate::verdict::Outcome;
 
@@ -42,6 +43,10 @@ impl Audit {
     /// # Errors
     /// Everything that makes the document unusable, with its places.
     pub fn of(document: &Document, options: Options) -> Result<Audit, Rejection> {
+        with_deep_stack(|| Audit::compute(document, options))
+    }
+
+    fn compute(document: &Document, options: Options) -> Result<Audit, Rejection> {
         let reject = |diagnostics| document.reject(diagnostics);
         let model = Model::build(document).map_err(reject)?;
         let outcomes = check::check(&model, options).map_err(reject)?;

@@ -16,6 +16,7 @@ use crate::numeric::agreement::Agreement;
 use crate::numeric::evaluate::Evaluator;
 use crate::numeric::point::{NamedPoint, Point};
 use crate::numeric::value::Value;
+use crate::stack::with_deep_stack;
 use crate::verdict::Verdict;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -108,6 +109,10 @@ impl Comparison {
     /// Compares the routes; `None` where the document has no numeric table or no point of it has
     /// doubles.
     pub fn of(audit: &Audit) -> Option<Comparison> {
+        with_deep_stack(|| Comparison::compute(audit))
+    }
+
+    fn compute(audit: &Audit) -> Option<Comparison> {
         let model = &audit.model;
         let table = model.document.numeric.as_ref()?;
         let points = Point::of_table(model, table).ok()?;

@@ -66,6 +66,13 @@ pub enum DiagnosticKind {
         /// The limit.
         limit: usize,
     },
+    /// More letters than are computed with.
+    TooManyLetters {
+        /// How many.
+        count: usize,
+        /// The limit.
+        limit: usize,
+    },
     /// A LaTeX command outside the fragment.
     UnknownCommand {
         /// The command.

@@ -233,3 +233,29 @@ fn an_exploding_power_is_undecided() {
     let audit = Audit::of(&document, Options::default()).expect("an audit");
     assert_eq!(audit.outcomes[0].verdict.word().as_str(), "undecided");
 }
+
+/// A chain of definitions, each before what it needs; and one that is too long.
+#[test]
+fn a_long_chain_of_definitions_is_followed_or_refused() {
+    let chain = |length: usize| {
+        let mut text = String::from("```toml symbols\nx = { meaning = \"\" }\n```\n");
+        for i in 0..length {
+            let next = if i + 1 == length {
+                "x".into()
+            } else {
+                format!("y_{{{}}}", i + 1)
+            };
+            text += &format!("```math d{i} define\ny_{{{i}}} = {next} + 1\n```\n");
+        }
+        text + &format!("```math 1 claim\ny_{{0}} = x + {length}\n```\n")
+    };
+    let document = Document::parse("chain.md", &chain(100)).expect("a document");
+    let audit = Audit::of(&document, Options::default()).expect("an audit");
+    let claim = audit.outcomes.last().expect("the claim");
+    assert_eq!(claim.verdict.word().as_str(), "holds");
+    let rejection = rejected(&chain(3_000));
+    assert!(matches!(
+        rejection.diagnostics[0].kind,
+        DiagnosticKind::TooManyLetters { .. }
+    ));
+}

@@ -84,6 +84,13 @@ fn every_kind_has_words() {
             "`{` without its partner",
         ),
         (
+            DiagnosticKind::TooManyLetters {
+                count: 600,
+                limit: 500,
+            },
+            "600 letters and abbreviations, more than 500",
+        ),
+        (
             DiagnosticKind::TooDeep { limit: 200 },
             "nested deeper than 200 levels",
         ),

@@ -65,6 +65,11 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "too deep from here on".into(),
             "split the expression by a definition of its own".into(),
         ),
+        DiagnosticKind::TooManyLetters { count, limit } => (
+            format!("{count} letters and abbreviations, more than {limit}"),
+            "in this document".into(),
+            "split the document by its sections".into(),
+        ),
         DiagnosticKind::UnknownCommand { command } => (
             format!("the command {} is outside the LaTeX that is read", quote(command)),
             "unknown command".into(),

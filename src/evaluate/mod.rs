@@ -26,6 +26,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub const LARGEST_EXPONENT: u32 = 1000;
 /// The largest number of terms that a sum with running index is evaluated for.
 const LARGEST_RANGE: i64 = 10_000;
+/// The longest chain of definitions that need each other.
+const LONGEST_CHAIN: usize = 5_000;
 /// The largest product of two operands' sizes (terms) that is multiplied out.
 const LARGEST_PRODUCT: usize = 20_000_000;
 

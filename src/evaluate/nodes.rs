@@ -80,6 +80,14 @@ impl<D: Domain> Evaluator<'_, D> {
                 return Ok(value);
             }
         }
+        if self.open.len() >= super::LONGEST_CHAIN {
+            return Err(Failure::new(
+                FailureKind::Budget {
+                    what: "definitions that need each other in a chain".into(),
+                },
+                span,
+            ));
+        }
         if !self.open.insert(key.clone()) {
             return Err(Failure::unsupported("a definition that needs itself", span));
         }

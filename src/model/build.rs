@@ -1,7 +1,7 @@
 //! From a document to a model: tables first, then every equation's definitions, then its claims;
 //! all errors are collected before any is reported.
 
-use super::letters::{letters, plain_name};
+use super::letters::{MOST_LETTERS, letters, plain_name};
 use super::links::{self, Place};
 use super::names::{self, Names};
 use super::{
@@ -475,6 +475,19 @@ impl Builder {
     fn finish(self, document: &Document) -> Result<Model, Vec<Diagnostic>> {
         let mut report = self.report;
         let letters = letters(&self.symbols, &self.equations);
+        // Refused before anything grows with it: every definition may turn out an abbreviation.
+        let count = letters.len() + self.definitions.len();
+        if count > MOST_LETTERS {
+            report.push(Diagnostic::new(
+                DiagnosticKind::TooManyLetters {
+                    count,
+                    limit: MOST_LETTERS,
+                },
+                self.equations.first().map_or(Span::default(), |e| e.span),
+            ));
+            report.sort_by_key(|d| d.span);
+            return Err(report);
+        }
         let ring = Ring::new(
             letters.iter().map(|l| plain_name(&self.symbols, l)),
             Order::Grevlex,

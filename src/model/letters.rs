@@ -12,6 +12,8 @@ use std::collections::BTreeSet;
 /// How many orders of time derivatives beyond the printed ones have letters of their own: one for
 /// differentiating the equations once, one for restoring a lost dot.
 const SPARE_DERIVATIVES: u8 = 2;
+/// The largest number of letters that a document may compute with.
+pub(super) const MOST_LETTERS: usize = 500;
 
 /// The letters of the ring but for the abbreviations: each symbol, each process with as many time
 /// derivatives as are printed and a few more.
