@@ -15,27 +15,19 @@ const PRIMES: [u64; 8] = [
     1048573, 1048571, 1048559, 1048549, 1048517, 1048507, 1048447, 1048433,
 ];
 
-/// How many variables are looked at, from the least degree.
-const VARIABLES: usize = 2;
+/// In how many variables a proof is tried, from the least degree.
+pub(super) const VARIABLES: usize = 2;
 
 /// The greatest degree for which this is worth while.
 const MAXIMAL_DEGREE: u32 = 24;
 
-/// Whether images prove f irreducible. It must be square-free and primitive in each of the variables,
-/// which are those that occur. `false` proves nothing.
-pub(super) fn is_proven(f: &Polynomial, variables: &[usize]) -> bool {
-    let degrees = f.degrees();
-    let mut order = variables.to_vec();
-    order.sort_by_key(|&v| degrees[v]);
+/// Whether images in a variable prove f irreducible. It must be primitive in this variable, which occurs;
+/// `degrees` are those of f. `false` proves nothing.
+pub(super) fn is_proven(f: &Polynomial, degrees: &[u32], v: usize) -> bool {
+    if degrees[v] > MAXIMAL_DEGREE {
+        return false;
+    }
     let exponents = f.exponents_flat();
-    order
-        .iter()
-        .take(VARIABLES)
-        .any(|&v| degrees[v] <= MAXIMAL_DEGREE && is_proven_in(f, &exponents, &degrees, v))
-}
-
-/// The same with images in one variable.
-fn is_proven_in(f: &Polynomial, exponents: &[u32], degrees: &[u32], v: usize) -> bool {
     let n = degrees[v] as usize;
     let mut possible = vec![true; n + 1];
     let mut splits_always = true;
@@ -52,8 +44,12 @@ fn is_proven_in(f: &Polynomial, exponents: &[u32], degrees: &[u32], v: usize) ->
             let place = &mut image[term[v] as usize];
             *place = field.add(*place, field.mul(residue, powers.monomial(&field, term)));
         }
-        if image[n] == 0 || !dense::is_square_free(&field, &image) {
+        if image[n] == 0 {
             continue;
+        }
+        if !dense::is_square_free(&field, &image) {
+            // Chance has a million to one against it: f has a repeated factor.
+            return false;
         }
         let pattern = if n == 2 {
             quadratic_pattern(&field, &image)

@@ -5,13 +5,13 @@
 //! 1. integer and monomial content;
 //! 2. a variable of degree one: a·x + b with coprime a and b is irreducible. Nearly every polynomial that
 //!    a derivation produces is settled here;
-//! 3. contents with respect to every variable, and repeated factors;
-//! 4. univariate images modulo small primes: degrees of divisors that are possible for all of them
+//! 3. univariate images modulo small primes: degrees of divisors that are possible for all of them
 //!    ([`irreducible`]);
+//! 4. contents with respect to every variable, and repeated factors;
 //! 5. one variable: Zassenhaus ([`crate::univariate::zassenhaus`]);
 //! 6. several: factors of one image over the integers, lifted variable by variable ([`multivariate`]).
 //!
-//! Every factor in the result is irreducible by a proof (one of 2, 4 and 5, or by an irreducible image over
+//! Every factor in the result is irreducible by a proof (one of 2, 3 and 5, or by an irreducible image over
 //! the integers), and every product was found by exact division.
 
 mod irreducible;
@@ -181,15 +181,22 @@ fn factor_core(
         factors.push((linear.unit_normal(), multiplicity));
         return factor_core(content, multiplicity, square_free, budget, factors);
     }
-    let occurring: Vec<usize> = (0..degrees.len()).filter(|&v| degrees[v] > 0).collect();
-    if occurring.len() > 1 {
-        for &v in &occurring {
+    // Primitive in the variable of the least degree and with an image in it that splits in no way that
+    // fits: irreducible. Only what fails this is looked at in every variable.
+    let mut occurring: Vec<usize> = (0..degrees.len()).filter(|&v| degrees[v] > 0).collect();
+    occurring.sort_by_key(|&v| degrees[v]);
+    for (i, &v) in occurring.iter().enumerate() {
+        if occurring.len() > 1 {
             let content = f.content_in_within(v, budget)?;
             if !content.is_constant() {
                 let primitive = f.div_exact(&content).expect("the content divides");
                 factor_core(content, multiplicity, square_free, budget, factors)?;
                 return factor_core(primitive, multiplicity, square_free, budget, factors);
             }
+        }
+        if i < irreducible::VARIABLES && irreducible::is_proven(&f, &degrees, v) {
+            factors.push((f.unit_normal(), multiplicity));
+            return Ok(());
         }
     }
     if !square_free {
@@ -198,10 +205,7 @@ fn factor_core(
         }
         return Ok(());
     }
-    if irreducible::is_proven(&f, &occurring) {
-        factors.push((f.unit_normal(), multiplicity));
-        return Ok(());
-    }
+    occurring.sort_unstable();
     let found = if let [v] = occurring[..] {
         let dense: Vec<BigInt> = f
             .coefficients_in(v)
