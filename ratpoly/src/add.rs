@@ -1,6 +1,7 @@
 //! Addition and subtraction: merging two descending lists.
 
-use crate::coefficient::{Accumulator, Double};
+use crate::accumulator::Accumulator;
+use crate::coefficient::Double;
 use crate::packed::{Packed, PackedMonomial};
 use crate::polynomial::Polynomial;
 use crate::terms::{Term, TermList, Terms};

@@ -1,11 +1,11 @@
 //! The operators of polynomials: sums, products, powers, and their forms with typed errors and budgets.
 
 use crate::budget::Budget;
-use crate::coefficient::Scalar;
 use crate::error::Error;
 use crate::multiply::{Failure, multiply};
 use crate::polynomial::{Polynomial, layout_of};
 use crate::ring::Ring;
+use crate::scalar::Scalar;
 use crate::sum_of_products::fused;
 use crate::terms::{each_layout, same_layout};
 use num_bigint::BigInt;

@@ -1,9 +1,9 @@
 //! Division: exact, with remainder by one or many, pseudo-division.
 
-use crate::coefficient::Scalar;
 use crate::divide_heap::{Outcome, divide};
 use crate::error::Error;
 use crate::polynomial::{Polynomial, layout_of};
+use crate::scalar::Scalar;
 use crate::terms::same_layout;
 use num_bigint::BigInt;
 

@@ -4,7 +4,8 @@
 //! but the first, the heap holds its product with the next term of the quotient. A term that does not
 //! cancel must be divisible by the leading term and gives the next term of the quotient.
 
-use crate::coefficient::{Accumulator, Coefficient, Value};
+use crate::accumulator::Accumulator;
+use crate::coefficient::{Coefficient, Value};
 use crate::layout::Layout;
 use crate::packed::PackedMonomial;
 use crate::terms::{Term, TermList, each_width};

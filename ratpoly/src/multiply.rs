@@ -4,8 +4,9 @@
 //! unbounded), and a bound on the exponents shows that the layout holds the result; then no kernel has
 //! to look for overflows.
 
+use crate::accumulator::ProductsOf;
 use crate::budget::Budget;
-use crate::coefficient::{Coefficient, ProductsOf};
+use crate::coefficient::Coefficient;
 use crate::error::{Error, Resource};
 use crate::layout::Layout;
 use crate::packed::PackedMonomial;
@@ -83,10 +84,13 @@ fn products<M: PackedMonomial, C: Coefficient, A: ProductsOf<C>>(
         }
         return Ok(list);
     }
-    if f.len() * g.len() > SMALL
-        && let Some(plan) = window::Plan::best::<M, C, A>(f, g, layout)
-    {
-        return window::multiply::<M, C, A>(f, g, layout, &plan, budget.terms());
+    if f.len() * g.len() > SMALL {
+        let shape = |terms: &[Term<M, C>]| {
+            window::Shape::of(&mut terms.iter().map(|t| &t.monomial), layout)
+        };
+        if let Some(plan) = window::Plan::best(shape(f), shape(g), std::mem::size_of::<A>()) {
+            return window::multiply::<M, C, A>(f, g, layout, &plan, budget.terms());
+        }
     }
     let mut all: Vec<Term<M, A>> = Vec::with_capacity(f.len() * g.len());
     for a in f {

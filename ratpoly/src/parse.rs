@@ -187,6 +187,7 @@ impl Parser<'_> {
             return Err(self.error(ParseErrorKind::InvalidExponent));
         };
         if inverse && n.is_zero() {
+            self.position = start;
             return Err(self.error(ParseErrorKind::DivisionByZero));
         }
         let n = self.limited(n.pow_within(exponent, &self.budget))?;
@@ -213,7 +214,7 @@ impl Parser<'_> {
             }
             Some(c) if c.is_ascii_digit() => {
                 let digits = self.take_while(|c| c.is_ascii_digit());
-                if digits.len() > 300_000 {
+                if digits.len() > 100_000 {
                     return Err(self.error(ParseErrorKind::TooLarge));
                 }
                 let value = BigInt::from_str(digits).expect("decimal digits");

@@ -3,12 +3,14 @@
 //! Invariants: the terms are in strictly descending order in the ring's order, no coefficient is zero, and
 //! the representation (see `terms.rs`) is the narrowest that holds them.
 
-use crate::coefficient::{Accumulator, Coefficient, Scalar, Value};
+use crate::accumulator::Accumulator;
+use crate::coefficient::{Coefficient, Value};
 use crate::error::Error;
 use crate::layout::{KINDS, Layout};
 use crate::monomial::Monomial;
-use crate::packed::PackedMonomial;
+use crate::packed::{Packed, PackedMonomial, Wide};
 use crate::ring::Ring;
+use crate::scalar::Scalar;
 use crate::terms::{Term, TermList, Terms, each_layout, each_width, same_layout};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
@@ -64,7 +66,25 @@ impl Polynomial {
 
     /// A polynomial of one term, or zero.
     pub(crate) fn from_term(ring: Ring, exponents: &[u32], value: Scalar) -> Self {
-        Polynomial::from_list(ring, vec![(Monomial::new(exponents), value)])
+        fn single<M: PackedMonomial>(m: Option<M>, value: &Scalar, ring: Ring) -> Option<Terms> {
+            let mut list = TermList::new();
+            list.push(m?, value.clone());
+            Some(list.into_terms(ring))
+        }
+        if value.is_zero() {
+            return Polynomial::zero(ring);
+        }
+        let mut layouts = (0..KINDS).filter_map(|kind| Some((kind, ring.layout(kind)?)));
+        let terms = layouts.find_map(|(kind, layout)| match kind {
+            0 => single(Packed::<1>::pack(layout, exponents), &value, ring),
+            1 => single(Packed::<2>::pack(layout, exponents), &value, ring),
+            2 => single(Packed::<4>::pack(layout, exponents), &value, ring),
+            _ => single(Wide::pack(layout, exponents), &value, ring),
+        });
+        Polynomial {
+            ring,
+            terms: terms.expect("the last layout holds all exponents"),
+        }
     }
 
     /// The sum of the given terms, in any order, repeated monomials allowed.

@@ -6,11 +6,11 @@
 
 use crate::budget::Budget;
 use crate::error::Error;
-use crate::gcd::gcd;
+use crate::gcd::{Cofactors, gcd, gcd_cofactors_within};
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A rational function over the rationals, canonical by construction: equality is structural.
@@ -29,17 +29,14 @@ impl RationalFunction {
         if denominator.is_zero() {
             return Err(Error::DivisionByZero);
         }
-        let common = gcd(&numerator, &denominator);
-        Ok(RationalFunction::from_coprime(
-            exact(&numerator, &common),
-            exact(&denominator, &common),
-        ))
+        let (numerator, denominator) = cancel(&numerator, &denominator)?;
+        Ok(RationalFunction::from_coprime(numerator, denominator))
     }
 
     /// The quotient of two polynomials without a common factor: only the sign is adjusted.
     pub(crate) fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
         debug_assert!(!denominator.is_zero());
-        if denominator.leading_coefficient().is_negative() {
+        if denominator.leads_negative() {
             RationalFunction {
                 numerator: -numerator,
                 denominator: -denominator,
@@ -137,16 +134,18 @@ impl RationalFunction {
         if b.ring() != d.ring() {
             return Err(Error::RingMismatch);
         }
-        let g = gcd(b, d);
-        if g.is_one() {
-            let sum = a.try_mul(d)?.try_add(&c.try_mul(b)?)?;
-            return Ok(Self::from_coprime(sum, b.try_mul(d)?));
-        }
-        let (b, e) = (exact(b, &g), exact(d, &g));
+        let Cofactors {
+            gcd: g,
+            first: b,
+            second: e,
+        } = gcd_cofactors_within(b, d, &UNLIMITED)?;
         let sum = a.try_mul(&e)?.try_add(&c.try_mul(&b)?)?;
-        let h = gcd(&sum, &g);
-        let denominator = b.try_mul(&exact(d, &h))?;
-        Ok(Self::from_coprime(exact(&sum, &h), denominator))
+        if g.is_one() {
+            return Ok(Self::from_coprime(sum, b.try_mul(&e)?));
+        }
+        // Only a factor of g can be left between the sum and the denominator g b e.
+        let (sum, g) = cancel(&sum, &g)?;
+        Ok(Self::from_coprime(sum, g.try_mul(&b)?.try_mul(&e)?))
     }
 
     /// The difference, or [`Error::RingMismatch`] or [`Error::ExponentOverflow`].
@@ -163,8 +162,8 @@ impl RationalFunction {
         if b.is_one() && d.is_one() {
             return Ok(a.try_mul(c)?.into());
         }
-        let (a, d) = cancel(a, d);
-        let (c, b) = cancel(c, b);
+        let (a, d) = cancel(a, d)?;
+        let (c, b) = cancel(c, b)?;
         Ok(Self::from_coprime(a.try_mul(&c)?, b.try_mul(&d)?))
     }
 
@@ -186,7 +185,7 @@ impl RationalFunction {
 
     /// The power, also with a negative exponent. The zeroth power is 1, also of 0.
     pub fn pow(&self, exponent: i32) -> Result<Self, Error> {
-        self.pow_within(exponent, &Budget::unlimited())
+        self.pow_within(exponent, &UNLIMITED)
     }
 
     /// The power within a budget.
@@ -208,12 +207,11 @@ impl RationalFunction {
         // With e = b / gcd(b, b'): (a/b)' = (a' e - a b' e / b) / (b e).
         let (a, b) = self.parts();
         let slope = b.derivative(variable);
-        let g = gcd(b, &slope);
-        let e = exact(b, &g);
+        let (e, slope) = cancel(b, &slope)?;
         let top = a
             .derivative(variable)
             .try_mul(&e)?
-            .try_sub(&a.try_mul(&exact(&slope, &g))?)?;
+            .try_sub(&a.try_mul(&slope)?)?;
         Self::new(top, b.try_mul(&e)?)
     }
 
@@ -266,7 +264,8 @@ impl RationalFunction {
     pub fn is_canonical(&self) -> bool {
         self.numerator.is_canonical()
             && self.denominator.is_canonical()
-            && self.denominator.leading_coefficient().is_positive()
+            && !self.denominator.leads_negative()
+            && !self.denominator.is_zero()
             && gcd(&self.numerator, &self.denominator).is_one()
     }
 
@@ -336,16 +335,15 @@ impl From<Polynomial> for RationalFunction {
     }
 }
 
-fn exact(f: &Polynomial, divisor: &Polynomial) -> Polynomial {
-    if divisor.is_one() {
-        return f.clone();
-    }
-    f.div_exact(divisor).expect("a common factor divides")
-}
+static UNLIMITED: Budget = Budget::unlimited();
 
-fn cancel(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomial) {
-    let common = gcd(f, g);
-    (exact(f, &common), exact(g, &common))
+/// Both polynomials without their common factor.
+fn cancel(f: &Polynomial, g: &Polynomial) -> Result<(Polynomial, Polynomial), Error> {
+    if f.is_one() || g.is_one() {
+        return Ok((f.clone(), g.clone()));
+    }
+    let Cofactors { first, second, .. } = gcd_cofactors_within(f, g, &UNLIMITED)?;
+    Ok((first, second))
 }
 
 impl Neg for &RationalFunction {

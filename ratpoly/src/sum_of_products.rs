@@ -4,7 +4,7 @@
 //! runs, which are merged in pairs, the factors multiplied on the way, without a product stored in between.
 //! Very few terms are formed and sorted instead; long times long is left to the multiplication.
 
-use crate::coefficient::{Accumulator, ProductsOf};
+use crate::accumulator::{Accumulator, ProductsOf};
 use crate::error::Error;
 use crate::layout::{KINDS, Layout};
 use crate::packed::{Packed, PackedMonomial};

@@ -5,10 +5,11 @@
 //! all monomials, the narrowest width that holds all coefficients; so equality is structural. Zero is the
 //! empty list in the narrowest layout and width.
 
-use crate::coefficient::{Coefficient, Double, Scalar, Value};
+use crate::coefficient::{Coefficient, Double, Value};
 use crate::layout::Layout;
 use crate::packed::{Packed, PackedMonomial, Wide};
 use crate::ring::Ring;
+use crate::scalar::Scalar;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 

@@ -8,7 +8,8 @@
 //! they are few. (Dense arrays with Kronecker indices: Moenck 1976; the chunked form: FLINT's `mul_array`
 //! documentation.)
 
-use crate::coefficient::{Accumulator, Coefficient, ProductsOf};
+use crate::accumulator::{Accumulator, ProductsOf};
+use crate::coefficient::Coefficient;
 use crate::error::{Error, Resource};
 use crate::layout::Layout;
 use crate::packed::PackedMonomial;
@@ -34,20 +35,12 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// The plan with the least estimated cost; `None` if sorting all products is estimated cheaper.
-    pub fn best<M: PackedMonomial, C: Coefficient, A: Accumulator>(
-        f: &[Term<M, C>],
-        g: &[Term<M, C>],
-        layout: &Layout,
-    ) -> Option<Plan> {
-        let (shape_f, shape_g) = (Shape::of(f, layout), Shape::of(g, layout));
-        let fields = layout.fields;
-        let range: Vec<u64> = (0..fields)
-            .map(|k| shape_f.range(k) + shape_g.range(k) - 1)
-            .collect();
-        let products = (f.len() as f64, g.len() as f64);
-        let products = products.0 * products.1;
-        let cell_bytes = std::mem::size_of::<A>() as f64;
+    /// The plan with the least estimated cost for factors of these shapes and cells of so many bytes;
+    /// `None` if sorting all products is estimated cheaper.
+    pub fn best(f: Shape, g: Shape, cell_bytes: usize) -> Option<Plan> {
+        let fields = f.least.len();
+        let range: Vec<u64> = (0..fields).map(|k| f.range(k) + g.range(k) - 1).collect();
+        let products = f.terms as f64 * g.terms as f64;
         // Nanoseconds, roughly; only the comparison counts.
         let mut best = (products * products.log2() * 1.3, None);
         for split in 0..fields {
@@ -60,9 +53,9 @@ impl Plan {
             let (Some(cells), Some(names)) = (cells.filter(|c| *c <= MAX_CELLS), names) else {
                 continue;
             };
-            let pairs = shape_f.groups[split] as f64 * shape_g.groups[split] as f64;
+            let pairs = f.groups[split] as f64 * g.groups[split] as f64;
             let slices = pairs.min(names as f64);
-            let bytes = cells as f64 * cell_bytes;
+            let bytes = cells as f64 * cell_bytes as f64;
             let access = if bytes <= 40e3 {
                 0.8
             } else if bytes <= 1.5e6 {
@@ -85,7 +78,7 @@ impl Plan {
                 stride[k + 1] * range[k + 1]
             };
         }
-        let least = [shape_f.least, shape_g.least];
+        let least = [f.least, g.least];
         Some(Plan {
             split,
             least,
@@ -108,7 +101,8 @@ impl Plan {
 }
 
 /// What a plan needs to know of a factor.
-struct Shape {
+pub(crate) struct Shape {
+    terms: usize,
     least: Vec<u64>,
     greatest: Vec<u64>,
     /// For each split the number of groups with equal leading fields.
@@ -116,16 +110,20 @@ struct Shape {
 }
 
 impl Shape {
-    fn of<M: PackedMonomial, C>(terms: &[Term<M, C>], layout: &Layout) -> Self {
+    pub fn of<'a, M: PackedMonomial>(
+        monomials: &mut dyn ExactSizeIterator<Item = &'a M>,
+        layout: &Layout,
+    ) -> Self {
         let fields = layout.fields;
+        let terms = monomials.len();
         let (mut least, mut greatest) = (vec![u64::MAX; fields], vec![0; fields]);
         // A new group begins for every split after the first field that differs.
         let mut breaks = vec![0; fields];
         let mut previous = vec![u64::MAX; fields];
-        for term in terms {
+        for monomial in monomials {
             let mut differs = fields;
             for k in (0..fields).rev() {
-                let value = term.monomial.field(layout, k);
+                let value = monomial.field(layout, k);
                 least[k] = least[k].min(value);
                 greatest[k] = greatest[k].max(value);
                 if value != previous[k] {
@@ -144,6 +142,7 @@ impl Shape {
             groups[split] = count;
         }
         Shape {
+            terms,
             least,
             greatest,
             groups,
@@ -155,63 +154,69 @@ impl Shape {
     }
 }
 
-/// A factor's terms by groups.
-struct Grouped<M, C> {
+/// The monomials of a factor by groups.
+struct Groups<M> {
+    /// The index in the window for each term.
     index: Vec<u32>,
-    coefficients: Vec<C>,
-    groups: Vec<Group<M>>,
+    groups: Vec<Group>,
+    /// The leading fields of each group, zeros after the split.
+    heads: Vec<M>,
 }
 
 /// Terms with equal leading fields, their indices descending.
-struct Group<M> {
+struct Group {
     name: u64,
-    /// The leading fields, zeros after the split.
-    head: M,
     start: usize,
     end: usize,
 }
 
-impl<M: PackedMonomial, C: Coefficient> Grouped<M, C> {
-    fn new(terms: &[Term<M, C>], layout: &Layout, plan: &Plan, least: &[u64]) -> Self {
-        let mut grouped = Grouped {
-            index: Vec::with_capacity(terms.len()),
-            coefficients: Vec::with_capacity(terms.len()),
+impl<M: PackedMonomial> Groups<M> {
+    fn new<'a>(
+        monomials: &mut dyn ExactSizeIterator<Item = &'a M>,
+        layout: &Layout,
+        plan: &Plan,
+        least: &[u64],
+    ) -> Self {
+        let index = Vec::with_capacity(monomials.len());
+        let mut all = Groups {
+            index,
             groups: Vec::new(),
+            heads: Vec::new(),
         };
         let number = |m: &M, fields: std::ops::Range<usize>| -> u64 {
             fields
                 .map(|k| (m.field(layout, k) - least[k]) * plan.stride[k])
                 .sum()
         };
-        for (position, term) in terms.iter().enumerate() {
-            let name = number(&term.monomial, 0..plan.split);
-            if grouped
-                .groups
-                .last()
-                .is_none_or(|g: &Group<M>| g.name != name)
-            {
-                let head = M::from_fields(layout, |k| {
+        for (position, m) in monomials.enumerate() {
+            let name = number(m, 0..plan.split);
+            if all.groups.last().is_none_or(|g: &Group| g.name != name) {
+                let head = |k| {
                     if k < plan.split {
-                        term.monomial.field(layout, k)
+                        m.field(layout, k)
                     } else {
                         0
                     }
-                });
-                grouped.groups.push(Group {
+                };
+                all.heads.push(M::from_fields(layout, head));
+                all.groups.push(Group {
                     name,
-                    head,
                     start: position,
                     end: position,
                 });
             }
-            grouped.groups.last_mut().expect("just pushed").end = position + 1;
-            grouped
-                .index
-                .push(number(&term.monomial, plan.split..layout.fields) as u32);
-            grouped.coefficients.push(term.coefficient.clone());
+            all.groups.last_mut().expect("just pushed").end = position + 1;
+            all.index.push(number(m, plan.split..layout.fields) as u32);
         }
-        grouped
+        all
     }
+}
+
+/// A factor as the window sees it: indices and coefficients of all terms, and the groups.
+struct Factor<'a, C> {
+    index: &'a [u32],
+    coefficients: Vec<C>,
+    groups: &'a [Group],
 }
 
 /// The product by a plan.
@@ -222,9 +227,29 @@ pub(crate) fn multiply<M: PackedMonomial, C: Coefficient, A: ProductsOf<C>>(
     plan: &Plan,
     most_terms: usize,
 ) -> Result<TermList<M>, Error> {
-    let f = Grouped::new(f, layout, plan, &plan.least[0]);
-    let g = Grouped::new(g, layout, plan, &plan.least[1]);
-    let pairs = pairs_by_slice(&f, &g, plan.names);
+    let monomials = |terms: &[Term<M, C>], k: usize| {
+        Groups::new(
+            &mut terms.iter().map(|t| &t.monomial),
+            layout,
+            plan,
+            &plan.least[k],
+        )
+    };
+    let coefficients = |terms: &[Term<M, C>]| terms.iter().map(|t| t.coefficient.clone()).collect();
+    let (a, b) = (monomials(f, 0), monomials(g, 1));
+    let (f, g) = (
+        Factor {
+            index: &a.index,
+            coefficients: coefficients(f),
+            groups: &a.groups,
+        },
+        Factor {
+            index: &b.index,
+            coefficients: coefficients(g),
+            groups: &b.groups,
+        },
+    );
+    let pairs = pairs_by_slice(&a.groups, &b.groups, plan.names);
     let mut window = Window::<A>::new(plan.cells);
     let mut list = TermList::new();
     // Decoding a cell costs some divisions: with many products a table is cheaper.
@@ -232,9 +257,7 @@ pub(crate) fn multiply<M: PackedMonomial, C: Coefficient, A: ProductsOf<C>>(
         .then(|| (0..plan.cells).map(|cell| plan.low(layout, cell)).collect());
     for slice in pairs.chunk_by(|a, b| a.name == b.name) {
         window.gather(slice, &f, &g);
-        let head = f.groups[slice[0].i as usize]
-            .head
-            .product(&g.groups[slice[0].j as usize].head);
+        let head = a.heads[slice[0].i as usize].product(&b.heads[slice[0].j as usize]);
         window.drain(|cell, sum| {
             let monomial = match &table {
                 Some(table) => head.product(&table[cell]),
@@ -257,11 +280,11 @@ struct Pair {
 }
 
 /// All pairs of groups, by descending name of their slice.
-fn pairs_by_slice<M, C>(f: &Grouped<M, C>, g: &Grouped<M, C>, names: u64) -> Vec<Pair> {
-    let count = f.groups.len() * g.groups.len();
+fn pairs_by_slice(f: &[Group], g: &[Group], names: u64) -> Vec<Pair> {
+    let count = f.len() * g.len();
     let all = || {
-        f.groups.iter().enumerate().flat_map(|(i, a)| {
-            g.groups.iter().enumerate().map(move |(j, b)| Pair {
+        f.iter().enumerate().flat_map(|(i, a)| {
+            g.iter().enumerate().map(move |(j, b)| Pair {
                 name: a.name + b.name,
                 i: i as u32,
                 j: j as u32,
@@ -320,7 +343,7 @@ impl<A: Accumulator> Window<A> {
     }
 
     /// Adds the products of the pairs of groups of one slice.
-    fn gather<M, C>(&mut self, slice: &[Pair], f: &Grouped<M, C>, g: &Grouped<M, C>)
+    fn gather<C>(&mut self, slice: &[Pair], f: &Factor<C>, g: &Factor<C>)
     where
         A: ProductsOf<C>,
     {
