@@ -32,7 +32,7 @@ impl Polynomial {
 impl RationalFunction {
     /// Reads a rational function in the plain notation, for example `(x - 1)/(2*x) + 1/3`.
     pub fn parse(ring: Ring, text: &str) -> Result<Self, Error> {
-        let budget = Budget::new(1_000_000, 1_000_000, 100_000_000);
+        let budget = Budget::new(1_000_000, 100_000, 30_000_000);
         let mut parser = Parser {
             ring,
             text,

@@ -110,8 +110,8 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    pub fn of<'a, M: PackedMonomial>(
-        monomials: &mut dyn ExactSizeIterator<Item = &'a M>,
+    pub fn of<M: PackedMonomial>(
+        monomials: &mut dyn ExactSizeIterator<Item = &M>,
         layout: &Layout,
     ) -> Self {
         let fields = layout.fields;
@@ -171,8 +171,8 @@ struct Group {
 }
 
 impl<M: PackedMonomial> Groups<M> {
-    fn new<'a>(
-        monomials: &mut dyn ExactSizeIterator<Item = &'a M>,
+    fn new(
+        monomials: &mut dyn ExactSizeIterator<Item = &M>,
         layout: &Layout,
         plan: &Plan,
         least: &[u64],
