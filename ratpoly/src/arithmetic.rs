@@ -95,7 +95,7 @@ impl Polynomial {
             // c^k has more than (bits(c) - 1) k bits.
             let power = power.ok_or(Error::ExponentOverflow)?;
             budget.check_bits((c.bits() - 1).saturating_mul(u64::from(exponent)))?;
-            budget.spend(c.bits().saturating_mul(u64::from(exponent)) / 64)?;
+            budget.spend((c.bits() - 1).saturating_mul(u64::from(exponent)) / 64)?;
             let c = c.pow(exponent);
             return Ok(Polynomial::from_term(self.ring, &power, c.into()));
         }
