@@ -121,6 +121,7 @@ mod monomial;
 mod multiply;
 mod packed;
 mod parse;
+mod partial_fractions;
 mod polynomial;
 mod rational_function;
 mod real_roots;
@@ -149,6 +150,7 @@ pub use matrix::{
     hurwitz_matrix, toeplitz_matrix,
 };
 pub use monomial::Monomial;
+pub use partial_fractions::{PartialFraction, PartialFractions, partial_fractions};
 pub use polynomial::Polynomial;
 pub use rational_function::RationalFunction;
 pub use real_roots::{Bound, RealRoot, SturmSequence, real_roots};
