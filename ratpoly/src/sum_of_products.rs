@@ -139,6 +139,12 @@ fn fuse<'a, M: PackedMonomial + Copy>(
     products: &[SignedProduct<'a>],
 ) -> Fused<Polynomial> {
     let layout = M::layout(ring);
+    if let &[(negate, f, g)] = products
+        && let (Some(f), Some(g)) = (M::words(&f.terms), M::words(&g.terms))
+        && let (&[ref term], list) | (list, &[ref term]) = (f, g)
+    {
+        return scale(ring, layout, Run::new(negate, term, list));
+    }
     let mut runs: Vec<Run<'a, M>> = Vec::with_capacity(products.len());
     let (mut total, mut bits, mut overflows) = (0, 0, false);
     for &(negate, f, g) in products {
@@ -155,15 +161,7 @@ fn fuse<'a, M: PackedMonomial + Copy>(
         total += f.len() * g.len();
         bits = bits.max(a + b);
         overflows |= m.product(&n).overflows(layout);
-        runs.extend(f.iter().map(|term| Run {
-            monomial: term.monomial,
-            factor: if negate {
-                term.coefficient.wrapping_neg()
-            } else {
-                term.coefficient
-            },
-            list: g,
-        }));
+        runs.extend(f.iter().map(|term| Run::new(negate, term, g)));
     }
     if overflows {
         return Fused::LayoutTooNarrow;
@@ -184,6 +182,36 @@ fn fuse<'a, M: PackedMonomial + Copy>(
     Fused::Sum(Polynomial {
         ring,
         terms: list.into_terms(ring),
+    })
+}
+
+/// A single run: no sum at all.
+#[inline]
+fn scale<M: PackedMonomial + Copy>(
+    ring: Ring,
+    layout: &Layout,
+    run: Run<'_, M>,
+) -> Fused<Polynomial> {
+    if run.factor == i64::MIN {
+        return Fused::Unsuitable;
+    }
+    let mut terms: Vec<Term<M, i64>> = Vec::with_capacity(run.list.len());
+    for term in run.list {
+        let monomial = run.monomial.product(&term.monomial);
+        if monomial.overflows(layout) {
+            return Fused::LayoutTooNarrow;
+        }
+        let Some(coefficient) = run.factor.checked_mul(term.coefficient) else {
+            return Fused::Unsuitable;
+        };
+        terms.push(Term {
+            monomial,
+            coefficient,
+        });
+    }
+    Fused::Sum(Polynomial {
+        ring,
+        terms: TermList::Word(terms).into_terms(ring),
     })
 }
 
@@ -222,7 +250,20 @@ impl Sum for i128 {
     }
 }
 
-impl<M: PackedMonomial + Copy> Run<'_, M> {
+impl<'a, M: PackedMonomial + Copy> Run<'a, M> {
+    #[inline]
+    fn new(negate: bool, term: &Term<M, i64>, list: &'a [Term<M, i64>]) -> Self {
+        Run {
+            monomial: term.monomial,
+            factor: if negate {
+                term.coefficient.wrapping_neg()
+            } else {
+                term.coefficient
+            },
+            list,
+        }
+    }
+
     #[inline(always)]
     fn term<A: Sum>(&self, index: usize) -> Term<M, A> {
         let term = &self.list[index];

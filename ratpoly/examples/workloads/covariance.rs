@@ -69,23 +69,37 @@ pub fn covariance(
             for k in 0..n {
                 let range = (2 * k).saturating_sub(n - 1)..=(2 * k).min(n - 1);
                 let pairs = range.map(|m| (&alternating[m][i], &v[2 * k - m][j]));
-                forms.push(Polynomial::sum_of_products(ring, pairs)?);
+                forms.push(sum_within(ring, pairs, budget)?);
             }
-            let sum = Polynomial::sum_of_products(ring, forms.iter().zip(&cofactors))?;
-            budget.spend(sum.len() as u64)?;
-            budget.check_terms(sum.len())?;
+            let sum = sum_within(ring, forms.iter().zip(&cofactors), budget)?;
             entries[j * n + i] = sum.clone();
             entries[i * n + j] = sum;
         }
     }
     stages.numerators = start.elapsed().as_secs_f64();
-    let numerators = Matrix::<Polynomial>::from_fn(ring, n, n, |i, j| entries[i * n + j].clone())?;
+    let mut entries = entries.into_iter();
+    let rows = (0..n).map(|_| entries.by_ref().take(n).collect());
+    let numerators = Matrix::<Polynomial>::new(ring, rows.collect())?;
     let denominator = determinant.mul_integer(&BigInt::from(2));
     Ok(Covariance {
         determinant,
         numerators,
         denominator,
     })
+}
+
+/// A sum of products, paid for beforehand.
+fn sum_within<'a>(
+    ring: Ring,
+    pairs: impl Iterator<Item = (&'a Polynomial, &'a Polynomial)>,
+    budget: &Budget,
+) -> Result<Polynomial, Error> {
+    let pairs: Vec<_> = pairs.collect();
+    let work = pairs.iter().map(|(f, g)| f.len() as u64 * g.len() as u64);
+    budget.spend(work.sum())?;
+    let sum = Polynomial::sum_of_products(ring, pairs)?;
+    budget.check_terms(sum.len())?;
+    Ok(sum)
 }
 
 /// Whether `A N + N A^T + 2 det H B B^T = 0`.
@@ -109,20 +123,18 @@ pub fn residual_vanishes(system: &System, covariance: &Covariance) -> Result<boo
     Ok(true)
 }
 
-/// The upper triangle in lowest terms.
-pub fn reduce(covariance: &Covariance) -> Result<Vec<RationalFunction>, Error> {
+/// The upper triangle in lowest terms, one entry after the other.
+pub fn reduced(
+    covariance: &Covariance,
+) -> Result<impl Iterator<Item = Result<RationalFunction, Error>>, Error> {
     let common = ratpoly::FactoredDenominator::new(&covariance.denominator)?;
     let n = covariance.numerators.rows();
-    let mut reduced = Vec::with_capacity(n * (n + 1) / 2);
-    for i in 0..n {
-        for j in i..n {
-            reduced.push(common.reduce(&covariance.numerators[(i, j)])?);
-        }
-    }
-    Ok(reduced)
+    let upper = (0..n).flat_map(move |i| (i..n).map(move |j| (i, j)));
+    Ok(upper.map(move |place| common.reduce(&covariance.numerators[place])))
 }
 
-fn solve(
+/// All stages: the covariance, whether the residual vanishes, the upper triangle in lowest terms.
+pub fn solve(
     system: &System,
     stages: &mut Stages,
 ) -> Result<(Covariance, bool, Vec<RationalFunction>), Error> {
@@ -131,7 +143,7 @@ fn solve(
     let vanishes = residual_vanishes(system, &covariance)?;
     stages.residual = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let reduced = reduce(&covariance)?;
+    let reduced = reduced(&covariance)?.collect::<Result<_, _>>()?;
     stages.reduction = start.elapsed().as_secs_f64();
     Ok((covariance, vanishes, reduced))
 }

@@ -76,6 +76,11 @@ impl Plan {
             let mut next = Vec::with_capacity(self.levels[column].len());
             let mut summands: Vec<SignedProduct<'_>> = Vec::with_capacity(n);
             for &rows in &self.levels[column] {
+                if column + 1 == n {
+                    let entry = cells.entries[rows.trailing_zeros() as usize * n + column];
+                    next.push(entry.map_or_else(|| Polynomial::zero(ring), Polynomial::clone));
+                    continue;
+                }
                 summands.clear();
                 let mut work = 0;
                 for (position, row) in members(rows).enumerate() {
