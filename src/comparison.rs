@@ -228,17 +228,14 @@ impl Comparison {
         let link = Subject::Link { equation, member };
         let subject = self.subjects.iter().position(|s| *s == link)?;
         let best = |row: &Row| {
-            row.computed
-                .iter()
-                .filter_map(|c| c.digits)
-                .max_by(f64::total_cmp)
-                .unwrap_or(0.0)
+            let digits = row.computed.iter().filter_map(|c| c.digits);
+            digits.max_by(f64::total_cmp)
         };
         let rows: Vec<&Row> = self.rows.iter().filter(|r| r.subject == subject).collect();
-        let first = best(rows.first()?);
+        let first = best(rows.first()?)?;
         let (worst, point) = rows
             .iter()
-            .map(|r| (best(r), r.point))
+            .map(|r| (best(r).unwrap_or(0.0), r.point))
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
         Some((first, worst, point))
     }

@@ -21,18 +21,25 @@
 
 pub mod audit;
 pub mod check;
+pub mod cli;
 pub mod comparison;
 pub mod diagnostic;
 pub mod document;
 pub mod domain;
+pub mod embedded;
 pub mod evaluate;
 pub mod expr;
+pub mod harness;
+pub mod input;
+pub mod inspection;
 pub mod latex;
 pub mod matrix;
 pub mod model;
 pub mod numeric;
+pub mod report;
 pub mod span;
 mod stack;
+pub mod standing;
 pub mod theory;
 pub mod unit;
 pub mod verdict;

@@ -1,0 +1,180 @@
+//! The command line: arguments in, tables and files out, and nothing else.
+
+use crate::audit::Audit;
+use crate::check::Options;
+use crate::diagnostic::Rejection;
+use crate::input;
+use crate::inspection::Inspection;
+use crate::report::output::{self, Pdf};
+use crate::report::terminal::{self, Style};
+use crate::report::{explain, json};
+use crate::stack::with_deep_stack;
+use crate::standing::exit_code;
+use clap::{Args, Parser, Subcommand};
+use std::io::{self, IsTerminal, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Re-derives published equations exactly: which hold, which only under a condition, and which
+/// are misprinted and how to mend them.
+///
+/// Exit code: 0 all verdicts are as expected; 1 a verdict differs from the recorded one, or a slip
+/// is not recorded; 2 something is undecided or a numbered equation has no verdict; 3 a document
+/// cannot be read; 4 the exact and the floating-point route contradict each other.
+#[derive(Debug, Parser)]
+#[command(name = "rederive", version, args_conflicts_with_subcommands = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Commands>,
+    #[command(flatten)]
+    check: Check,
+}
+
+#[derive(Debug, Subcommand)]
+enum Commands {
+    /// Check documents (the default command).
+    Check(Check),
+    /// Show the whole reasoning for one equation.
+    Explain(Explain),
+}
+
+#[derive(Debug, Args)]
+struct Check {
+    /// Documents, or folders of documents; without any, the ones inside the program.
+    paths: Vec<PathBuf>,
+    /// Write report.tex, verdicts.json, vectors.json and, where TeX is installed, report.pdf.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print one JSON object instead of tables.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
+struct Explain {
+    /// The printed number, such as 61.
+    equation: String,
+    /// The documents to look in; without any, the ones inside the program.
+    paths: Vec<PathBuf>,
+}
+
+/// Runs the program on the arguments of the process.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help is no error; anything else is bad input.
+            let code = if error.use_stderr() { 3 } else { 0 };
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    let result = with_deep_stack(|| match arguments.command {
+        Some(Commands::Explain(arguments)) => explain(&arguments),
+        Some(Commands::Check(arguments)) => check(&arguments),
+        None => check(&arguments.check),
+    });
+    match result {
+        Ok(code) => ExitCode::from(code),
+        // Whoever reads our output has had enough, as in `rederive | head`.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            let _ = writeln!(io::stderr(), "error: {error}");
+            ExitCode::from(3)
+        }
+    }
+}
+
+/// The documents that could be checked, and how many could not; these are reported at once.
+fn audits(paths: &[PathBuf]) -> io::Result<(Vec<Audit>, usize)> {
+    let mut audits = Vec::new();
+    let mut rejected = 0;
+    for document in input::read(paths) {
+        let audit = document.and_then(|d| Audit::of(&d, Options::default()));
+        match audit {
+            Ok(audit) => audits.push(audit),
+            Err(rejection) => {
+                rejected += 1;
+                report(&rejection)?;
+            }
+        }
+    }
+    Ok((audits, rejected))
+}
+
+fn report(rejection: &Rejection) -> io::Result<()> {
+    let colour = colour(io::stderr().is_terminal());
+    write!(io::stderr(), "{}", rejection.render(colour))
+}
+
+fn check(arguments: &Check) -> io::Result<u8> {
+    let (audits, rejected) = audits(&arguments.paths)?;
+    let inspections: Vec<Inspection> = audits.into_iter().map(Inspection::of).collect();
+    let mut out = io::stdout().lock();
+    if arguments.json {
+        out.write_all(&output::pretty(&json::verdicts(&inspections))?)?;
+    } else {
+        let style = Style {
+            colour: colour(out.is_terminal()),
+            width: width(out.is_terminal()),
+        };
+        for (k, inspection) in inspections.iter().enumerate() {
+            if k > 0 {
+                writeln!(out)?;
+            }
+            out.write_all(terminal::table(inspection, style).as_bytes())?;
+        }
+    }
+    if let Some(folder) = &arguments.out {
+        let pdf = output::write(folder, &inspections)?;
+        let said = match pdf {
+            Pdf::Made(path) => format!("the report is {}", path.display()),
+            Pdf::NoTex => format!(
+                "no PDF was made: neither latexmk nor pdflatex is on the PATH; the report is {}",
+                folder.join("report.tex").display()
+            ),
+            Pdf::Failed(complaint) => format!("no PDF was made: {complaint}"),
+        };
+        writeln!(io::stderr(), "{said}")?;
+    }
+    out.flush()?;
+    Ok(exit_code(&inspections, rejected))
+}
+
+fn explain(arguments: &Explain) -> io::Result<u8> {
+    let (audits, rejected) = audits(&arguments.paths)?;
+    let mut out = io::stdout().lock();
+    let columns = usize::from(width(out.is_terminal()).unwrap_or(100)).clamp(40, 120);
+    let mut found = false;
+    for audit in &audits {
+        if let Some(text) = explain::explain(audit, &arguments.equation, columns) {
+            if found {
+                writeln!(out)?;
+            }
+            found = true;
+            out.write_all(text.as_bytes())?;
+        }
+    }
+    if !found {
+        writeln!(
+            io::stderr(),
+            "error: no document has an equation ({})",
+            arguments.equation
+        )?;
+        return Ok(3);
+    }
+    Ok(if rejected > 0 { 3 } else { 0 })
+}
+
+/// Colours on a terminal, unless the user wants none (https://no-color.org).
+fn colour(terminal: bool) -> bool {
+    terminal && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
+}
+
+/// The columns of the terminal; none where the output goes elsewhere.
+fn width(terminal: bool) -> Option<u16> {
+    if !terminal {
+        return None;
+    }
+    comfy_table::Table::new().width()
+}

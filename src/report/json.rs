@@ -1,0 +1,392 @@
+//! Verdicts for programs: `--json` and `verdicts.json`. The shape is kept and described by
+//! `schemas/verdicts.schema.json`; keys may be added, none changes its meaning.
+
+use crate::audit::Audit;
+use crate::comparison::{Comparison, Subject};
+use crate::inspection::Inspection;
+use crate::report::formula::{Formulas, Script};
+use crate::report::ordered::Ordered;
+use crate::report::reason::{equation_of, reason};
+use crate::standing::Standing;
+use crate::verdict::{
+    Because, Correction, Edit, Given, Outcome, Refutation, ResidualEntry, Verdict, Witness,
+};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+/// The whole object.
+#[derive(Debug, Serialize)]
+pub struct Verdicts {
+    software: Software,
+    coverage: Coverage,
+    documents: Vec<Document>,
+    claims: Vec<Claim>,
+    units: Vec<UnitText>,
+}
+
+/// The program that wrote a file.
+#[derive(Debug, Serialize)]
+pub struct Software {
+    name: &'static str,
+    version: &'static str,
+}
+
+impl Software {
+    /// This program.
+    pub fn this() -> Self {
+        Software {
+            name: env!("CARGO_PKG_NAME"),
+            version: env!("CARGO_PKG_VERSION"),
+        }
+    }
+}
+
+/// The hash of a text in hexadecimal digits.
+pub fn sha256(text: &str) -> String {
+    Sha256::digest(text.as_bytes())
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
+
+#[derive(Debug, Serialize)]
+struct Coverage {
+    /// How many equation numbers the documents announce.
+    numbered: usize,
+    /// How many of them have a verdict.
+    covered: usize,
+    /// Those that are not in their document.
+    absent: Vec<Place>,
+    /// Those with an undecided link.
+    undecided: Vec<Place>,
+}
+
+#[derive(Debug, Serialize)]
+struct Place {
+    document: String,
+    equation: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Document {
+    document: String,
+    title: String,
+    sha256: String,
+    numbered: usize,
+    covered: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct Claim {
+    document: String,
+    equation: String,
+    member: usize,
+    printed: String,
+    verdict: &'static str,
+    expected: Option<&'static str>,
+    as_expected: bool,
+    reason: String,
+    given: Option<Vec<String>>,
+    implied_by: Option<Vec<String>>,
+    missing: Option<String>,
+    residual: Option<Vec<Residual>>,
+    witness: Option<Point>,
+    correction: Option<CorrectionText>,
+    conditions: Vec<Condition>,
+    certificate_verified: bool,
+    /// How the floating-point route agrees, where it was asked.
+    agreement: Option<Agreement>,
+}
+
+#[derive(Debug, Serialize)]
+struct Residual {
+    indices: Ordered<i64>,
+    entry: Option<(usize, usize)>,
+    value: String,
+    /// Where a hypothesis makes it vanish: one cofactor for each relation.
+    cofactors: Option<Vec<String>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Point {
+    point: Ordered<String>,
+    indices: Ordered<i64>,
+    entry: Option<(usize, usize)>,
+    lhs: String,
+    rhs: String,
+}
+
+#[derive(Debug, Serialize)]
+struct CorrectionText {
+    class: Option<&'static str>,
+    edits: Vec<EditText>,
+    corrected: String,
+    given: Option<Vec<String>>,
+    only: bool,
+    alternatives: Vec<Vec<EditText>>,
+    tried: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct EditText {
+    class: &'static str,
+    line: usize,
+    column: usize,
+    printed: String,
+    corrected: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Condition {
+    nonzero: String,
+    because: Option<String>,
+}
+
+/// How many digits of the right side the best floating-point method gets right, against the exact
+/// value of the left side.
+#[derive(Debug, Serialize)]
+struct Agreement {
+    /// At the first named point.
+    digits: f64,
+    /// The fewest at any point.
+    worst_digits: f64,
+    /// Where that is.
+    worst_at: String,
+    /// At how many points they were compared.
+    points: usize,
+    /// Whether the two routes contradict each other.
+    conflict: bool,
+}
+
+/// A place where units do not fit.
+#[derive(Debug, Serialize)]
+struct UnitText {
+    document: String,
+    equation: String,
+    finding: String,
+}
+
+/// The verdicts on some documents.
+pub fn verdicts(inspections: &[Inspection]) -> Verdicts {
+    let mut verdicts = Verdicts {
+        software: Software::this(),
+        coverage: Coverage {
+            numbered: 0,
+            covered: 0,
+            absent: Vec::new(),
+            undecided: Vec::new(),
+        },
+        documents: Vec::new(),
+        claims: Vec::new(),
+        units: Vec::new(),
+    };
+    for inspection in inspections {
+        let audit = &inspection.audit;
+        let document = &audit.model.document;
+        let coverage = audit.coverage();
+        let places = |numbers: &[u32]| -> Vec<Place> {
+            let place = |n: &u32| Place {
+                document: document.name.clone(),
+                equation: n.to_string(),
+            };
+            numbers.iter().map(place).collect()
+        };
+        verdicts.coverage.numbered += coverage.announced.len();
+        verdicts.coverage.covered += coverage.covered();
+        verdicts.coverage.absent.extend(places(&coverage.absent));
+        verdicts
+            .coverage
+            .undecided
+            .extend(places(&coverage.undecided));
+        verdicts.documents.push(Document {
+            document: document.name.clone(),
+            title: document.title.clone(),
+            sha256: sha256(&document.text),
+            numbered: coverage.announced.len(),
+            covered: coverage.covered(),
+        });
+        verdicts
+            .units
+            .extend(audit.units.iter().map(|finding| UnitText {
+                document: document.name.clone(),
+                equation: finding.label.clone(),
+                finding: finding.to_string(),
+            }));
+        let writer = Writer {
+            audit,
+            comparison: inspection.comparison.as_ref(),
+            formulas: Formulas::of(&audit.model),
+        };
+        verdicts
+            .claims
+            .extend(audit.outcomes.iter().map(|o| writer.claim(o)));
+    }
+    verdicts
+}
+
+struct Writer<'a> {
+    audit: &'a Audit,
+    comparison: Option<&'a Comparison>,
+    formulas: Formulas,
+}
+
+impl Writer<'_> {
+    fn claim(&self, outcome: &Outcome) -> Claim {
+        let equation = &self.audit.model.equations[outcome.equation];
+        let link = &equation.links[outcome.member - 1];
+        let (given, refutation, correction) = match &outcome.verdict {
+            Verdict::HoldsGiven(given) => (Some(&**given), None, None),
+            Verdict::Misprint {
+                refutation,
+                correction,
+            } => (
+                correction.given.as_ref(),
+                Some(refutation),
+                Some(&**correction),
+            ),
+            Verdict::Refuted(refutation) => (None, Some(refutation), None),
+            _ => (None, None, None),
+        };
+        let witness = match &outcome.verdict {
+            Verdict::HoldsGiven(given) => given.counterexample.as_ref(),
+            _ => refutation.and_then(|r| r.witness.as_ref()),
+        };
+        Claim {
+            document: self.audit.model.document.name.clone(),
+            equation: equation.label.clone(),
+            member: outcome.member,
+            printed: equation_of(&equation.display, link),
+            verdict: outcome.verdict.word().as_str(),
+            expected: equation.expected(outcome.member).map(|w| w.as_str()),
+            as_expected: self.audit.standing(outcome) == Standing::AsExpected,
+            reason: reason(self.audit, &self.formulas, outcome).to_plain(),
+            given: given.map(|g| self.relations(g)),
+            implied_by: given.map(|g| g.implied_by.clone()),
+            missing: refutation.and_then(|r| r.missing.clone()),
+            residual: self.residual(&outcome.verdict, refutation),
+            witness: witness.map(|w| self.witness(w)),
+            correction: correction.map(|c| self.correction(outcome, c)),
+            conditions: outcome
+                .conditions
+                .iter()
+                .map(|c| Condition {
+                    nonzero: self.formulas.polynomial(&c.factor, Script::Code),
+                    because: c.because.as_ref().map(|b| match b {
+                        Because::Positive => "positive".to_string(),
+                        Because::PositiveBy(by) => {
+                            format!("positive with {}", crate::report::reason::labels(by))
+                        }
+                    }),
+                })
+                .collect(),
+            certificate_verified: outcome.certificate.verify(),
+            agreement: self.agreement(outcome),
+        }
+    }
+
+    fn agreement(&self, outcome: &Outcome) -> Option<Agreement> {
+        let comparison = self.comparison?;
+        let (first, worst, point) = comparison.agreement(outcome.equation, outcome.member)?;
+        let link = Subject::Link {
+            equation: outcome.equation,
+            member: outcome.member,
+        };
+        Some(Agreement {
+            digits: first,
+            worst_digits: worst,
+            worst_at: comparison.points[point].name.clone(),
+            points: comparison.points.len(),
+            conflict: comparison.conflicts().contains(&&link),
+        })
+    }
+
+    fn relations(&self, given: &Given) -> Vec<String> {
+        given
+            .relations
+            .iter()
+            .map(|r| self.formulas.relation(r, Script::Latex))
+            .collect()
+    }
+
+    fn residual(
+        &self,
+        verdict: &Verdict,
+        refutation: Option<&Refutation>,
+    ) -> Option<Vec<Residual>> {
+        let entry = |e: &ResidualEntry, cofactors: Option<Vec<String>>| Residual {
+            indices: Ordered(e.indices.clone()),
+            entry: e.place,
+            value: self.formulas.rational(&e.difference(), Script::Code),
+            cofactors,
+        };
+        match (verdict, refutation) {
+            (Verdict::HoldsGiven(given), _) => Some(
+                given
+                    .cofactors
+                    .iter()
+                    .map(|g| {
+                        let cofactors = g.cofactors.iter();
+                        let written = cofactors
+                            .map(|c| self.formulas.rational(c, Script::Code))
+                            .collect();
+                        entry(&g.entry, Some(written))
+                    })
+                    .collect(),
+            ),
+            (_, Some(refutation)) => {
+                Some(refutation.residual.iter().map(|e| entry(e, None)).collect())
+            }
+            _ => None,
+        }
+    }
+
+    fn witness(&self, witness: &Witness) -> Point {
+        let letter = |letter: usize| self.formulas.letter(letter, Script::Latex).to_string();
+        Point {
+            point: Ordered(
+                witness
+                    .point
+                    .iter()
+                    .map(|(l, value)| (letter(*l), value.to_string()))
+                    .collect(),
+            ),
+            indices: Ordered(witness.indices.clone()),
+            entry: witness.place,
+            lhs: witness.left.to_string(),
+            rhs: witness.right.to_string(),
+        }
+    }
+
+    fn correction(&self, outcome: &Outcome, correction: &Correction) -> CorrectionText {
+        let edits = |edits: &[Edit]| edits.iter().map(|e| self.edit(e)).collect();
+        let equation = &self.audit.model.equations[outcome.equation];
+        let link = &equation.links[outcome.member - 1];
+        CorrectionText {
+            class: correction.edits.first().map(|e| e.class.as_str()),
+            edits: edits(&correction.edits),
+            corrected: equation_of(&correction.display, link),
+            given: correction.given.as_ref().map(|g| self.relations(g)),
+            only: correction.alternatives.is_empty(),
+            alternatives: correction.alternatives.iter().map(|a| edits(a)).collect(),
+            tried: correction.tried,
+        }
+    }
+
+    fn edit(&self, edit: &Edit) -> EditText {
+        let before = self
+            .audit
+            .model
+            .document
+            .text
+            .get(..edit.span.start)
+            .unwrap_or_default();
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        EditText {
+            class: edit.class.as_str(),
+            line: 1 + before.matches('\n').count(),
+            column: 1 + before[line_start..].chars().count(),
+            printed: edit.printed.clone(),
+            corrected: edit.corrected.clone(),
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The head of the report, and the words on the method.
+
+use super::escape::{code, escape};
+use crate::inspection::Inspection;
+use crate::report::json::sha256;
+
+const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern}
+\usepackage{amsmath,amssymb}
+\usepackage{array,booktabs,longtable}
+\setlength{\textwidth}{160mm}
+\setlength{\oddsidemargin}{0mm}
+\setlength{\evensidemargin}{0mm}
+\setlength{\textheight}{235mm}
+\setlength{\topmargin}{-5mm}
+\setlength{\emergencystretch}{3em}
+\setlength{\LTleft}{0pt}
+\setlength{\LTright}{0pt plus 1fill}
+\allowdisplaybreaks
+\setcounter{tocdepth}{2}
+% The same input gives the same bytes.
+\ifdefined\pdftrailerid\pdftrailerid{}\fi
+\ifdefined\pdfsuppressptexinfo\pdfsuppressptexinfo=-1\fi
+% \fitted{number}{formula}: a display in the largest size in which it fits its line.
+\newsavebox{\fitbox}
+\newsavebox{\fitnumber}
+\newcommand{\fitset}[2]{\ifx\relax#1\relax\[#2\]\else\begin{equation*}#2\tag*{#1}\end{equation*}\fi}
+\newcommand{\fitin}[4]{#1\sbox{\fitnumber}{#2}\sbox{\fitbox}{$\displaystyle#3$}%
+  \ifdim\dimexpr\wd\fitbox+2\wd\fitnumber+1em\relax<\linewidth\fitset{#2}{#3}\else#4\fi}
+\newcommand{\fitted}[2]{\begingroup
+  \fitin{\normalsize}{#1}{#2}{\fitin{\small}{#1}{#2}{\fitin{\footnotesize}{#1}{#2}{%
+  \fitin{\scriptsize}{#1}{#2}{\tiny\fitset{#1}{#2}}}}}\endgroup}
+";
+
+/// Everything before the method: packages, title, what the input was.
+pub(super) fn preamble(inspections: &[Inspection]) -> String {
+    let mut out = String::from(HEAD);
+    let title = match inspections {
+        [only] => format!(
+            "{}: a re-derivation",
+            escape(&only.audit.model.document.title)
+        ),
+        _ => "Equations re-derived".to_string(),
+    };
+    out += &format!(
+        "\\title{{{title}}}\n\\author{{rederive {}}}\n\\date{{}}\n",
+        escape(env!("CARGO_PKG_VERSION"))
+    );
+    out += "\\begin{document}\n\\maketitle\n";
+    out += "\\begin{center}\n\\begin{tabular}{@{}>{\\raggedright\\arraybackslash}p{0.3\\linewidth}";
+    out += ">{\\raggedright\\arraybackslash}p{0.62\\linewidth}@{}}\n\\toprule\n";
+    out += "Document & SHA-256 of its text \\\\\n\\midrule\n";
+    for inspection in inspections {
+        let document = &inspection.audit.model.document;
+        out += &format!(
+            "{} & {} \\\\\n",
+            code(&document.name),
+            code(&sha256(&document.text))
+        );
+    }
+    out += "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
+    if inspections.len() > 1 {
+        out += "\\tableofcontents\n";
+    }
+    out
+}
+
+/// How a verdict is reached.
+pub(super) const METHOD: &str = r#"
+\section{How the equations were checked}
+
+Every equation was read from its printed form. Each pair of neighbours in a chain of equalities is a
+link of its own, numbered in the order of reading: (61.2) is the second link of equation~(61). Both
+sides of a link are evaluated exactly, as rational functions with rational coefficients in the letters
+of the document; matrices entry by entry. No floating-point number and no random number decides a
+verdict.
+
+A link \emph{holds} if both sides are the same rational function of the printed letters, or become so
+when the definitions of those letters are inserted that it spells out itself. It \emph{holds given} a
+relation if the sides differ as functions of the printed letters and agree once all definitions are
+inserted: the letters then satisfy relations that are not printed. These are found by eliminating the
+definitions (a Gr\"obner basis), and the difference of the sides is written as a combination of them,
+the certificate. Whatever survives the insertion of all definitions is false. For a false link all
+small changes of its printed form are tried, in the order of their number: signs, indices, exponents,
+factors, letters, dots. If one makes it true it is a \emph{misprint} and the change is its correction,
+and what follows is computed from the corrected equation; otherwise it is \emph{refuted}. A link is
+\emph{undecided} if a limit of time or size was met or if it lies outside of what can be decided here;
+this is never counted as true. A \emph{definition} gives a name its value, and what is \emph{recalled}
+is stated without anything to check.
+
+Each certificate was checked by multiplying out. Each division leaves the condition that its divisor
+does not vanish; the conditions stand with the equations that need them.
+"#;

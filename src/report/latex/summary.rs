@@ -1,0 +1,81 @@
+//! What a reader wants first: coverage, the slips, the hypotheses, all verdicts in one table.
+
+use super::Tex;
+use super::escape::escape;
+use crate::audit::Audit;
+use crate::document::VerdictWord;
+use crate::report::formula::{Formulas, Script};
+use crate::report::prose::Prose;
+use crate::report::rows::rows;
+use crate::report::terminal::{coverage, tally};
+
+pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
+    let document = &audit.model.document;
+    if let Some(source) = &document.source {
+        tex.paragraph(&Prose::of(format!("Checked: {}.", source.text)));
+    }
+    tex.paragraph(&Prose::of(format!("Coverage: {}.", coverage(audit))));
+    let counts: Vec<String> = tally(&audit.outcomes)
+        .iter()
+        .map(|(word, count)| format!("{count} {word}"))
+        .collect();
+    tex.paragraph(&Prose::of(format!(
+        "The verdicts on the links: {}.",
+        counts.join(", ")
+    )));
+    letters(tex, audit, formulas);
+    tex.heading("Verdicts");
+    let rows: Vec<Vec<String>> = rows(audit, formulas)
+        .into_iter()
+        .map(|row| {
+            let strong = matches!(
+                row.word,
+                VerdictWord::HoldsGiven
+                    | VerdictWord::Misprint
+                    | VerdictWord::Refuted
+                    | VerdictWord::Loose
+                    | VerdictWord::Undecided
+            );
+            let shown = if strong {
+                format!("\\textbf{{{}}}", row.word)
+            } else {
+                row.word.to_string()
+            };
+            vec![escape(&row.number), shown, row.reason.to_latex()]
+        })
+        .collect();
+    let head = ["Link", "Verdict", "Reason"].map(String::from);
+    tex.table(&[0.12, 0.14, 0.66], &head, &rows);
+}
+
+/// The declared symbols with unit, reference value and meaning.
+fn letters(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
+    let symbols = &audit.model.symbols;
+    if symbols.is_empty() {
+        return;
+    }
+    tex.heading("Letters");
+    let rows: Vec<Vec<String>> = symbols
+        .iter()
+        .map(|symbol| {
+            let value = symbol.value.as_ref();
+            let mut meaning = escape(&symbol.meaning);
+            if symbol.positive {
+                meaning += " (positive)";
+            }
+            if let Some(argument) = &symbol.function_of {
+                meaning += &format!(", a function of ${}$", crate::latex::canonical(argument));
+            }
+            vec![
+                format!("${}$", crate::latex::canonical(&symbol.name)),
+                symbol.unit.as_deref().map_or_else(String::new, escape),
+                value.map_or_else(String::new, |v| {
+                    format!("${}$", formulas.number(v, Script::Plain))
+                }),
+                meaning,
+            ]
+        })
+        .collect();
+    let head = ["Letter", "Unit", "Reference", "Meaning"].map(String::from);
+    tex.table(&[0.12, 0.12, 0.2, 0.46], &head, &rows);
+}

@@ -1,0 +1,125 @@
+//! Files in the output folder, each written whole or not at all, and the PDF where a TeX is near.
+
+use crate::inspection::Inspection;
+use crate::report::{json, latex, vectors};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// What became of the PDF.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Pdf {
+    /// It is there.
+    Made(PathBuf),
+    /// Neither latexmk nor pdflatex is on the path.
+    NoTex,
+    /// TeX stopped; its first complaint.
+    Failed(String),
+}
+
+/// Writes `report.tex`, `verdicts.json`, `vectors.json` and, where TeX is installed, `report.pdf`.
+///
+/// # Errors
+/// When the folder cannot be made or a file cannot be written.
+pub fn write(folder: &Path, inspections: &[Inspection]) -> io::Result<Pdf> {
+    fs::create_dir_all(folder)?;
+    let report = latex::report(inspections);
+    replace(
+        &folder.join("verdicts.json"),
+        &pretty(&json::verdicts(inspections))?,
+    )?;
+    replace(
+        &folder.join("vectors.json"),
+        &pretty(&vectors::vectors(inspections))?,
+    )?;
+    replace(&folder.join("report.tex"), report.as_bytes())?;
+    pdf(folder, &report)
+}
+
+/// JSON with one value a line and a newline at the end.
+///
+/// # Errors
+/// None in practice: every key is a string.
+pub fn pretty(value: &impl serde::Serialize) -> io::Result<Vec<u8>> {
+    let mut bytes = serde_json::to_vec_pretty(value)?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+/// Writes under another name and renames, so that no reader and no interruption sees a half.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let temporary = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    let result = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
+    if result.is_err() {
+        let _ = fs::remove_file(&temporary);
+    }
+    result
+}
+
+/// Runs TeX in a folder of its own inside the output folder, without a shell to escape to and
+/// without leave to read or write elsewhere.
+fn pdf(folder: &Path, report: &str) -> io::Result<Pdf> {
+    let work = folder.join(format!(".tex.{}.part", std::process::id()));
+    fs::create_dir_all(&work)?;
+    let result = compiled(&work, report).and_then(|pdf| match pdf {
+        Pdf::Made(made) => {
+            let path = folder.join("report.pdf");
+            fs::rename(made, &path)?;
+            Ok(Pdf::Made(path))
+        }
+        other => Ok(other),
+    });
+    fs::remove_dir_all(&work)?;
+    result
+}
+
+fn compiled(work: &Path, report: &str) -> io::Result<Pdf> {
+    fs::write(work.join("report.tex"), report)?;
+    let common = [
+        "-interaction=nonstopmode",
+        "-halt-on-error",
+        "-no-shell-escape",
+    ];
+    let run = |program: &str, arguments: &[&str]| {
+        Command::new(program)
+            .args(arguments)
+            .args(common)
+            .arg("report.tex")
+            .current_dir(work)
+            .env("SOURCE_DATE_EPOCH", "0")
+            .env("FORCE_SOURCE_DATE", "1")
+            .env("openin_any", "p")
+            .env("openout_any", "p")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status()
+    };
+    let absent = |e: &io::Error| e.kind() == io::ErrorKind::NotFound;
+    let succeeded = match run("latexmk", &["-pdf", "-norc"]) {
+        Ok(status) => status.success(),
+        Err(error) if absent(&error) => {
+            let mut succeeded = true;
+            // The widths of long tables settle in the third run.
+            for _ in 0..3 {
+                match run("pdflatex", &[]) {
+                    Ok(status) => succeeded &= status.success(),
+                    Err(error) if absent(&error) => return Ok(Pdf::NoTex),
+                    Err(error) => return Err(error),
+                }
+            }
+            succeeded
+        }
+        Err(error) => return Err(error),
+    };
+    let made = work.join("report.pdf");
+    if succeeded && made.is_file() {
+        return Ok(Pdf::Made(made));
+    }
+    let log = fs::read(work.join("report.log")).unwrap_or_default();
+    let log = String::from_utf8_lossy(&log);
+    let complaint = log.lines().find(|line| line.starts_with('!'));
+    Ok(Pdf::Failed(complaint.unwrap_or("TeX stopped").to_string()))
+}

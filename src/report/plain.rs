@@ -1,0 +1,361 @@
+//! LaTeX for a terminal: names and equations without backslashes and braces.
+//!
+//! For the eye only: nothing reads it back. Greek letters become what they are, bold letters
+//! lose their weight, dots become primes, matrices become rows between brackets.
+
+/// A printed name.
+pub fn plain_name(latex: &str) -> String {
+    plain(latex).replace(' ', "")
+}
+
+/// A printed formula.
+pub fn plain(latex: &str) -> String {
+    let mut reader = Reader {
+        rest: latex,
+        out: String::new(),
+    };
+    reader.read(None);
+    tidy(&reader.out)
+}
+
+const GREEK: [(&str, &str); 40] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("varepsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("vartheta", "ϑ"),
+    ("iota", "ι"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("varpi", "ϖ"),
+    ("rho", "ρ"),
+    ("varrho", "ϱ"),
+    ("sigma", "σ"),
+    ("varsigma", "ς"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "φ"),
+    ("varphi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Pi", "Π"),
+    ("Sigma", "Σ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+    ("ell", "ℓ"),
+];
+
+const SYMBOLS: [(&str, &str); 29] = [
+    ("sum", "Σ"),
+    ("int", "∫"),
+    ("infty", "∞"),
+    ("partial", "∂"),
+    ("cdot", "·"),
+    ("times", "×"),
+    ("le", "≤"),
+    ("leq", "≤"),
+    ("leqslant", "≤"),
+    ("ge", "≥"),
+    ("geq", "≥"),
+    ("geqslant", "≥"),
+    ("ne", "≠"),
+    ("neq", "≠"),
+    ("approx", "≈"),
+    ("sim", "~"),
+    ("to", "→"),
+    ("rightarrow", "→"),
+    ("ldots", "..."),
+    ("dots", "..."),
+    ("cdots", "..."),
+    ("prime", "'"),
+    ("top", "T"),
+    ("intercal", "T"),
+    ("lt", "<"),
+    ("gt", ">"),
+    ("hbar", "ħ"),
+    ("det", "det "),
+    ("sqrt", "√"),
+];
+
+struct Reader<'l> {
+    rest: &'l str,
+    out: String,
+}
+
+impl Reader<'_> {
+    fn read(&mut self, end: Option<char>) {
+        while let Some(c) = self.take() {
+            if Some(c) == end {
+                return;
+            }
+            match c {
+                '\\' => self.command(),
+                '{' => self.read(Some('}')),
+                '}' => {}
+                '^' | '_' => self.script(c),
+                '&' => self.out.push(' '),
+                c if c.is_whitespace() => self.out.push(' '),
+                c => self.out.push(c),
+            }
+        }
+    }
+
+    fn take(&mut self) -> Option<char> {
+        let c = self.rest.chars().next()?;
+        self.rest = &self.rest[c.len_utf8()..];
+        Some(c)
+    }
+
+    fn skip_blanks(&mut self) {
+        self.rest = self.rest.trim_start();
+    }
+
+    fn word(&mut self) -> String {
+        let end = self
+            .rest
+            .find(|c: char| !c.is_ascii_alphabetic())
+            .unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        word.to_string()
+    }
+
+    /// What the next token or group prints.
+    fn argument(&mut self) -> String {
+        self.skip_blanks();
+        let before = std::mem::take(&mut self.out);
+        match self.take() {
+            Some('{') => self.read(Some('}')),
+            Some('\\') => self.command(),
+            Some(c) => self.out.push(c),
+            None => {}
+        }
+        tidy(&std::mem::replace(&mut self.out, before))
+    }
+
+    fn script(&mut self, mark: char) {
+        let inner = self.argument();
+        self.out = self.out.trim_end().to_string();
+        match (mark, inner.as_str()) {
+            ('^', "T" | "t") => self.out.push_str("^T"),
+            (_, i) if i.chars().count() == 1 || i.chars().all(char::is_alphanumeric) => {
+                self.out += &format!("{mark}{inner}");
+            }
+            _ => self.out += &format!("{mark}{{{inner}}}"),
+        }
+    }
+
+    fn command(&mut self) {
+        let word = self.word();
+        if word.is_empty() {
+            match self.take() {
+                Some('\\') => self.out.push_str("; "),
+                Some('{') => self.out.push('{'),
+                Some('}') => self.out.push('}'),
+                Some(',' | ';' | ':' | ' ' | '!') | None => self.out.push(' '),
+                Some(c) => self.out.push(c),
+            }
+            return;
+        }
+        if let Some((_, letter)) = GREEK.iter().chain(&SYMBOLS).find(|(name, _)| *name == word) {
+            self.out.push_str(letter);
+            return;
+        }
+        match word.as_str() {
+            "frac" | "tfrac" | "dfrac" => {
+                let (top, bottom) = (self.argument(), self.argument());
+                self.out += &format!("{}/{}", bracketed(&top), bracketed(&bottom));
+            }
+            "dot" => self.dotted(1),
+            "ddot" => self.dotted(2),
+            "dddot" => self.dotted(3),
+            "ddddot" => self.dotted(4),
+            "underbrace" => {
+                let body = self.argument();
+                self.skip_blanks();
+                if self.rest.starts_with('_') {
+                    self.take();
+                    let label = self.argument();
+                    self.out += &format!("{body} {{= {label}}}");
+                } else {
+                    self.out += &body;
+                }
+            }
+            "begin" => {
+                let name = self.argument();
+                self.environment(&name);
+            }
+            "end" => {
+                self.argument();
+            }
+            "left" | "right" => {
+                self.skip_blanks();
+                self.rest = self.rest.strip_prefix('.').unwrap_or(self.rest);
+            }
+            "tilde" | "widetilde" => self.accented('~'),
+            "hat" | "widehat" => self.accented('^'),
+            "bar" | "overline" => self.accented('¯'),
+            "mathbf" | "boldsymbol" | "bm" | "mathrm" | "mathcal" | "mathbb" | "text" | "mbox"
+            | "textrm" | "operatorname" | "mathsf" | "textnormal" | "vec" => {
+                let inner = self.argument();
+                self.out += &inner;
+            }
+            "quad" | "qquad" => self.out.push_str("  "),
+            "tag" => {
+                self.argument();
+            }
+            "displaystyle" | "textstyle" | "scriptstyle" | "limits" | "nolimits" | "nonumber"
+            | "notag" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "Bigl" | "biggl" | "Biggl"
+            | "bigr" | "Bigr" | "biggr" | "Biggr" => {}
+            other => {
+                self.out.push_str(other);
+                self.out.push(' ');
+            }
+        }
+    }
+
+    fn dotted(&mut self, dots: usize) {
+        let mut inner = self.argument();
+        inner += &"'".repeat(dots);
+        self.out += &inner;
+    }
+
+    fn accented(&mut self, mark: char) {
+        let inner = self.argument();
+        self.out += &format!("{inner}{mark}");
+    }
+
+    fn environment(&mut self, name: &str) {
+        let name = name.trim_end_matches('*');
+        let open = format!("\\begin{{{name}");
+        let close = format!("\\end{{{name}");
+        let mut depth = 0;
+        let mut at = 0;
+        let end = loop {
+            let Some(next) = self.rest[at..].find('\\').map(|i| at + i) else {
+                break self.rest.len();
+            };
+            let here = &self.rest[next..];
+            if here.starts_with(&open) {
+                depth += 1;
+            } else if here.starts_with(&close) {
+                if depth == 0 {
+                    break next;
+                }
+                depth -= 1;
+            }
+            at = next + 1;
+        };
+        let (body, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        let matrix = name.ends_with("matrix") || name == "array";
+        let mut inner = String::new();
+        if matrix {
+            let body = match (name, body.strip_prefix('{').and_then(|b| b.split_once('}'))) {
+                ("array", Some((_, rest))) => rest,
+                _ => body,
+            };
+            let rows: Vec<String> = body
+                .split("\\\\")
+                .map(|row| {
+                    let entries: Vec<String> = row.split('&').map(plain).collect();
+                    entries.join(", ")
+                })
+                .filter(|row| !row.is_empty())
+                .collect();
+            inner += &format!("[{}]", rows.join("; "));
+        } else {
+            inner += &plain(body);
+        }
+        self.out += &inner;
+        if self.rest.starts_with("\\end") {
+            self.rest = &self.rest["\\end".len()..];
+            self.argument();
+        }
+    }
+}
+
+fn bracketed(inner: &str) -> String {
+    let plain = inner
+        .chars()
+        .all(|c| c.is_alphanumeric() || matches!(c, '_' | '^' | '\''));
+    if plain {
+        inner.to_string()
+    } else {
+        format!("({inner})")
+    }
+}
+
+/// One blank where there were several, none at the ends and before punctuation.
+fn tidy(text: &str) -> String {
+    let mut out = String::new();
+    for word in text.split_whitespace() {
+        if !out.is_empty() && !word.starts_with([',', ';', '.', ')', ']']) {
+            out.push(' ');
+        }
+        out.push_str(word);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names() {
+        for (latex, expected) in [
+            ("m_A", "m_A"),
+            ("\\mathbf{P}_{33}", "P_33"),
+            ("\\ddot{z}_A", "z''_A"),
+            ("\\sigma_a^2", "σ_a^2"),
+            ("q_{10}", "q_10"),
+            ("H_{k,k+1}", "H_{k,k+1}"),
+        ] {
+            assert_eq!(plain_name(latex), expected);
+        }
+    }
+
+    #[test]
+    fn formulas() {
+        for (latex, expected) in [
+            ("\\det H = a_4H_3", "det H = a_4H_3"),
+            ("\\frac{c_A}{m_A}", "c_A/m_A"),
+            ("\\frac{1}{2 \\det \\mathbf{H}}", "1/(2 det H)"),
+            ("c[0 \\ 0 \\ 1]^T", "c[0 0 1]^T"),
+            ("\\left(1 + \\frac{m_R}{m_A} \\right)^3", "(1 + m_R/m_A)^3"),
+            (
+                "\\begin{bmatrix} a & b \\\\ c & d \\end{bmatrix}",
+                "[a, b; c, d]",
+            ),
+            ("\\underbrace{x}_{\\mathbf{y}}", "x {= y}"),
+        ] {
+            assert_eq!(plain(latex), expected);
+        }
+    }
+
+    #[test]
+    fn what_is_no_latex_ends_all_the_same() {
+        for latex in [
+            "", "\\", "{", "}", "^", "_", "\\frac", "\\begin{", "\\end", "&&", "\\left",
+        ] {
+            let _ = plain(latex);
+        }
+    }
+}

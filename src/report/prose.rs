@@ -1,0 +1,166 @@
+//! Sentences with formulas in them, written once and shown twice: in a terminal and in LaTeX.
+
+use crate::report::latex::escape::escape;
+use crate::report::plain::plain;
+
+/// A piece of a sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Piece {
+    /// Words; the LaTeX writer escapes them.
+    Words(String),
+    /// Words that are emphasised where the medium can.
+    Strong(String),
+    /// A name from a program or a file.
+    Code(String),
+    /// A formula.
+    Math {
+        /// In LaTeX.
+        latex: String,
+        /// For a terminal.
+        plain: String,
+    },
+}
+
+/// A sentence.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Prose(Vec<Piece>);
+
+impl Prose {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Prose::default()
+    }
+
+    /// Only words.
+    pub fn of(words: impl Into<String>) -> Self {
+        Prose::new().words(words)
+    }
+
+    /// Appends words.
+    #[must_use]
+    pub fn words(mut self, words: impl Into<String>) -> Self {
+        self.0.push(Piece::Words(words.into()));
+        self
+    }
+
+    /// Appends emphasised words.
+    #[must_use]
+    pub fn strong(mut self, words: impl Into<String>) -> Self {
+        self.0.push(Piece::Strong(words.into()));
+        self
+    }
+
+    /// Appends a name from a program or a file.
+    #[must_use]
+    pub fn code(mut self, name: impl Into<String>) -> Self {
+        self.0.push(Piece::Code(name.into()));
+        self
+    }
+
+    /// Appends a formula in LaTeX.
+    #[must_use]
+    pub fn math(mut self, latex: impl Into<String>) -> Self {
+        let latex = latex.into();
+        let plain = plain(&latex);
+        self.0.push(Piece::Math { latex, plain });
+        self
+    }
+
+    /// Appends a formula in both forms.
+    #[must_use]
+    pub fn formula(mut self, latex: impl Into<String>, plain: impl Into<String>) -> Self {
+        self.0.push(Piece::Math {
+            latex: latex.into(),
+            plain: plain.into(),
+        });
+        self
+    }
+
+    /// Appends another sentence.
+    #[must_use]
+    pub fn then(mut self, other: Prose) -> Self {
+        self.0.extend(other.0);
+        self
+    }
+
+    /// With a capital letter, where it begins with a word.
+    #[must_use]
+    pub fn capitalised(mut self) -> Self {
+        if let Some(Piece::Words(words)) = self.0.first_mut() {
+            let mut letters = words.chars();
+            if let Some(first) = letters.next() {
+                *words = first.to_uppercase().chain(letters).collect();
+            }
+        }
+        self
+    }
+
+    /// Whether nothing was said.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The same as from one list with commas.
+    pub fn joined(items: impl IntoIterator<Item = Prose>, between: &str) -> Prose {
+        let mut all = Prose::new();
+        for (k, item) in items.into_iter().enumerate() {
+            if k > 0 {
+                all = all.words(between);
+            }
+            all = all.then(item);
+        }
+        all
+    }
+
+    /// For a terminal.
+    pub fn to_plain(&self) -> String {
+        self.0
+            .iter()
+            .map(|piece| match piece {
+                Piece::Words(words) | Piece::Strong(words) | Piece::Code(words) => words.as_str(),
+                Piece::Math { plain, .. } => plain,
+            })
+            .collect()
+    }
+
+    /// For TeX.
+    pub fn to_latex(&self) -> String {
+        self.0
+            .iter()
+            .map(|piece| match piece {
+                Piece::Words(words) => escape(words),
+                Piece::Strong(words) => format!("\\textbf{{{}}}", escape(words)),
+                Piece::Code(words) => crate::report::latex::escape::code(words),
+                Piece::Math { latex, .. } => format!("${latex}$"),
+            })
+            .collect()
+    }
+}
+
+/// A paragraph, a displayed formula or a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// A paragraph.
+    Paragraph(Prose),
+    /// A formula on lines of its own.
+    Display {
+        /// In LaTeX.
+        latex: String,
+        /// For a terminal.
+        plain: String,
+    },
+    /// Rows under a head.
+    Table {
+        /// The head.
+        head: Vec<String>,
+        /// The rows, as long as the head.
+        rows: Vec<Vec<Prose>>,
+    },
+}
+
+impl Block {
+    /// A paragraph.
+    pub fn paragraph(prose: Prose) -> Self {
+        Block::Paragraph(prose)
+    }
+}

@@ -1,0 +1,294 @@
+//! A verdict in one line.
+
+use crate::audit::Audit;
+use crate::expr::Display;
+use crate::latex;
+use crate::model::links::{Link, Place};
+use crate::report::formula::{Formulas, Script};
+use crate::report::prose::Prose;
+use crate::verdict::{
+    Correction, Edit, Given, GivenEntry, Outcome, Refutation, ResidualEntry, Verdict, Witness,
+};
+use ratpoly::RationalFunction;
+
+/// Formulas of more characters than this are left to the longer explanation.
+const LONG: usize = 90;
+
+/// Why the verdict is what it is, in one line.
+pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
+    match &outcome.verdict {
+        Verdict::Holds { by } if by.is_empty() => Prose::of("identity in the printed letters"),
+        Verdict::Holds { by } => Prose::of(format!("identity with {} inserted", labels(by))),
+        Verdict::HoldsGiven(given) => {
+            let mut line = hypothesis(formulas, given);
+            if let Some(entry) = given.cofactors.first() {
+                line = line.words("; ").then(place(&entry.entry));
+                line = line.then(short(combination(formulas, given, entry), &entry.entry));
+                if given.cofactors.len() > 1 {
+                    line = line.words(format!("; {} such entries", given.cofactors.len()));
+                }
+            }
+            line
+        }
+        Verdict::Misprint {
+            refutation: _,
+            correction,
+        } => {
+            let class = correction.edits.first().map_or("", |e| e.class.as_str());
+            Prose::of(format!("{class}: "))
+                .then(edits(&correction.edits))
+                .words("; ")
+                .words(uniqueness(correction))
+                .then(match &correction.given {
+                    Some(given) => {
+                        Prose::of("; then it holds given ").then(relations(formulas, given))
+                    }
+                    None => Prose::new(),
+                })
+        }
+        Verdict::Refuted(refutation) => {
+            let mut line = missing(refutation);
+            if let Some(entry) = refutation.residual.first() {
+                if !line.is_empty() {
+                    line = line.words("; read as zero, ");
+                }
+                line = line.then(place(entry));
+                line = line.then(short(difference(formulas, &entry.difference()), entry));
+            }
+            if let Some(witness) = &refutation.witness {
+                line = line.words("; ").then(values(formulas, witness));
+            }
+            line
+        }
+        Verdict::Loose { measure, meaning } => Prose::of(format!("{meaning}: ")).formula(
+            formulas.number(measure, Script::Latex),
+            formulas.number(measure, Script::Plain),
+        ),
+        Verdict::Undecided { reason } => Prose::of(reason.clone()),
+        Verdict::Definition { what } => {
+            let is_solved = audit
+                .model
+                .systems
+                .iter()
+                .any(|s| s.equation == outcome.equation);
+            Prose::of(if is_solved { "determines " } else { "defines " }).math(what.clone())
+        }
+        Verdict::Recalled { reason } => Prose::of(reason.clone()),
+    }
+}
+
+/// `(47)`, `(47) and (49)`.
+pub fn labels(labels: &[String]) -> String {
+    let numbers: Vec<String> = labels.iter().map(|l| format!("({l})")).collect();
+    match numbers.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// `bd = ae, implied by (47)`.
+pub fn hypothesis(formulas: &Formulas, given: &Given) -> Prose {
+    let line = relations(formulas, given);
+    if given.implied_by.is_empty() {
+        line.words(", which nothing in the document implies")
+    } else {
+        line.words(format!(", implied by {}", labels(&given.implied_by)))
+    }
+}
+
+/// `bd = ae`, several with commas.
+pub fn relations(formulas: &Formulas, given: &Given) -> Prose {
+    Prose::joined(
+        given.relations.iter().map(|r| {
+            Prose::new().formula(
+                formulas.relation(r, Script::Latex),
+                formulas.relation(r, Script::Plain),
+            )
+        }),
+        ", ",
+    )
+}
+
+/// `lhs - rhs = cofactor (relation)`: equal to the residual by the certificate.
+pub fn combination(formulas: &Formulas, given: &Given, entry: &GivenEntry) -> [String; 2] {
+    [Script::Latex, Script::Plain].map(|script| {
+        let terms: Vec<String> = given
+            .relations
+            .iter()
+            .zip(&entry.cofactors)
+            .filter(|(_, cofactor)| !cofactor.is_zero())
+            .map(|(relation, cofactor)| formulas.multiple(cofactor, relation, script))
+            .collect();
+        if terms.is_empty() {
+            "0".into()
+        } else {
+            terms.join(" + ").replace("+ -", "- ")
+        }
+    })
+}
+
+/// A rational function for both media.
+pub fn difference(formulas: &Formulas, f: &RationalFunction) -> [String; 2] {
+    [Script::Latex, Script::Plain].map(|script| formulas.rational(f, script))
+}
+
+/// `lhs - rhs = ...`, or how long it would be.
+fn short([latex, plain]: [String; 2], entry: &ResidualEntry) -> Prose {
+    if plain.chars().count() > LONG {
+        let terms = entry.difference().numerator().len();
+        return residual_name().words(format!(" has {terms} terms"));
+    }
+    residual_name()
+        .words(" ")
+        .formula(format!("= {latex}"), format!("= {plain}"))
+}
+
+fn residual_name() -> Prose {
+    Prose::new().formula("\\mathrm{lhs}-\\mathrm{rhs}", "lhs - rhs")
+}
+
+/// `entry (1,2): `, `p = 4: `, or nothing.
+pub fn place(entry: &ResidualEntry) -> Prose {
+    place_of(entry.place, &entry.indices)
+}
+
+fn place_of(place: Option<(usize, usize)>, indices: &[(String, i64)]) -> Prose {
+    let mut parts: Vec<Prose> = indices
+        .iter()
+        .map(|(name, value)| Prose::new().math(format!("{name} = {value}")))
+        .collect();
+    if let Some((row, column)) = place {
+        parts.push(Prose::of(format!("entry ({row},{column})")));
+    }
+    if parts.is_empty() {
+        return Prose::new();
+    }
+    Prose::joined(parts, ", ").words(": ")
+}
+
+/// The sides' values at a witness, `lhs = 3, rhs = 4 at a = 1, b = 2`.
+pub fn values(formulas: &Formulas, witness: &Witness) -> Prose {
+    let point = Prose::joined(
+        witness.point.iter().map(|(letter, value)| {
+            let [latex, plain] = [Script::Latex, Script::Plain]
+                .map(|s| format!("{} = {}", formulas.letter(*letter, s), inline(value)));
+            Prose::new().formula(latex, plain)
+        }),
+        ", ",
+    );
+    let side = |name: &str, value| {
+        let name = Prose::new().formula(format!("\\mathrm{{{name}}}"), name);
+        name.words(" = ").then(exact(value))
+    };
+    let line = place_of(witness.place, &witness.indices)
+        .then(side("lhs", &witness.left))
+        .words(", ")
+        .then(side("rhs", &witness.right));
+    if witness.point.is_empty() {
+        line
+    } else {
+        line.words(" at ").then(point)
+    }
+}
+
+/// A rational number inside a line.
+fn inline(value: &num_rational::BigRational) -> String {
+    crate::report::formula::number(value, Script::Plain)
+}
+
+/// A rational number inside a line; a very long one by its size.
+pub fn exact(value: &num_rational::BigRational) -> Prose {
+    let text = inline(value);
+    if text.len() <= 36 {
+        return Prose::new().formula(text.clone(), text);
+    }
+    match crate::numeric::agreement::nearest(value) {
+        Some(double) => {
+            let text = format!("{double:e}");
+            let latex = match text.split_once('e') {
+                Some((mantissa, exponent)) => format!("{mantissa}\\cdot 10^{{{exponent}}}"),
+                None => text.clone(),
+            };
+            Prose::new().formula(format!("{latex}\\ldots"), format!("{text}..."))
+        }
+        None => Prose::of(format!("a number of {} digits", text.len())),
+    }
+}
+
+/// `H_{0,1} does not exist`, or nothing.
+pub fn missing(refutation: &Refutation) -> Prose {
+    match &refutation.missing {
+        Some(name) => Prose::new().math(name.clone()).words(" does not exist"),
+        None => Prose::new(),
+    }
+}
+
+/// `H_{k,k+1} -> H_{k+1,1}`, several with commas.
+pub fn edits(edits: &[Edit]) -> Prose {
+    Prose::joined(
+        edits.iter().map(|e| {
+            Prose::new()
+                .math(e.printed.clone())
+                .formula("\\to ", " -> ")
+                .math(e.corrected.clone())
+        }),
+        ", ",
+    )
+}
+
+/// How the correction compares with others.
+pub fn uniqueness(correction: &Correction) -> String {
+    match correction.alternatives.len() {
+        0 => format!(
+            "the only correction at this cost among {} tried",
+            correction.tried
+        ),
+        n => format!(
+            "one of {} corrections at this cost among {} tried",
+            n + 1,
+            correction.tried
+        ),
+    }
+}
+
+/// One side of a link in LaTeX; what stands above or below a brace without the brace.
+pub fn side(display: &Display, place: Place) -> String {
+    place
+        .find(display)
+        .map_or_else(String::new, latex::write_expr)
+}
+
+/// The link as an equation: `a_4H_3 = ac(c^2de)`.
+pub fn equation_of(display: &Display, link: &Link) -> String {
+    let left = side(display, link.left);
+    if link.left == link.right {
+        return left;
+    }
+    format!("{left} {} {}", relation(link), side(display, link.right))
+}
+
+fn relation(link: &Link) -> &'static str {
+    use crate::expr::Relation;
+    match link.relation {
+        Relation::Equal => "=",
+        Relation::NotEqual => "\\neq",
+        Relation::Less => "<",
+        Relation::LessEqual => "\\le",
+        Relation::Greater => ">",
+        Relation::GreaterEqual => "\\ge",
+        Relation::Distributed => "\\sim",
+        Relation::Approximately => "\\approx",
+        Relation::Tends => "\\to",
+    }
+}
+
+/// `61.2`; the bare label for an equation with one link.
+pub fn number_of(audit: &Audit, outcome: &Outcome) -> String {
+    let equation = &audit.model.equations[outcome.equation];
+    if equation.links.len() == 1 {
+        equation.label.clone()
+    } else {
+        format!("{}.{}", equation.label, outcome.member)
+    }
+}

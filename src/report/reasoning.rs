@@ -1,0 +1,301 @@
+//! The whole reasoning behind one verdict: residual, relation and cofactor, witness, correction,
+//! conditions.
+
+use crate::audit::Audit;
+use crate::report::formula::{Formulas, Script};
+use crate::report::plain::plain;
+use crate::report::prose::{Block, Prose};
+use crate::report::reason::{
+    combination, difference, edits, equation_of, hypothesis, labels, missing, place, reason,
+    relations, uniqueness, values,
+};
+use crate::verdict::{
+    Because, Certificate, Correction, Given, NonVanishing, Outcome, Refutation, Rejected,
+    ResidualEntry, Verdict,
+};
+
+/// Entries of a matrix residual that are written out.
+const ENTRIES: usize = 4;
+/// Rejected readings that are listed.
+const READINGS: usize = 24;
+
+/// Everything there is to say about one link.
+pub fn reasoning(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Block> {
+    let mut blocks = argument(audit, formulas, outcome);
+    if let Some(line) = conditions(formulas, &outcome.conditions) {
+        blocks.push(Block::paragraph(line));
+    }
+    blocks
+}
+
+/// The same without the conditions.
+pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    match &outcome.verdict {
+        Verdict::Holds { .. } => {
+            let line = reason(audit, formulas, outcome);
+            blocks.push(Block::paragraph(
+                sentence(line).then(certificate(&outcome.certificate)),
+            ));
+        }
+        Verdict::HoldsGiven(given) => {
+            given_blocks(formulas, given, &mut blocks);
+            blocks.push(Block::paragraph(certificate(&outcome.certificate)));
+        }
+        Verdict::Misprint {
+            refutation,
+            correction,
+        } => {
+            refutation_blocks(formulas, refutation, &mut blocks);
+            correction_blocks(audit, formulas, outcome, correction, &mut blocks);
+            blocks.push(Block::paragraph(certificate(&outcome.certificate)));
+        }
+        Verdict::Refuted(refutation) => {
+            refutation_blocks(formulas, refutation, &mut blocks);
+            blocks.push(Block::paragraph(Prose::of(
+                "None of the single edits and repeated slips that were tried makes it true.",
+            )));
+        }
+        Verdict::Loose { .. }
+        | Verdict::Undecided { .. }
+        | Verdict::Definition { .. }
+        | Verdict::Recalled { .. } => {
+            blocks.push(Block::paragraph(sentence(reason(audit, formulas, outcome))));
+        }
+    }
+    blocks
+}
+
+/// A line with a capital letter and a full stop is a sentence.
+fn sentence(line: Prose) -> Prose {
+    line.capitalised().words(". ")
+}
+
+fn given_blocks(formulas: &Formulas, given: &Given, blocks: &mut Vec<Block>) {
+    blocks.push(Block::paragraph(
+        Prose::of("In the printed letters it is no identity; it holds given ")
+            .then(hypothesis(formulas, given))
+            .words(". Left minus right is a multiple of what vanishes then:"),
+    ));
+    for entry in given.cofactors.iter().take(ENTRIES) {
+        let [latex, plain] = combination(formulas, given, entry);
+        let label = place(&entry.entry);
+        blocks.push(Block::Display {
+            latex: format!(
+                "{}\\mathrm{{lhs}} - \\mathrm{{rhs}} = {latex}",
+                text_of(&label)
+            ),
+            plain: format!("{}lhs - rhs = {plain}", label.to_plain()),
+        });
+    }
+    more(given.cofactors.len(), "entries are not identities", blocks);
+    if let Some(witness) = &given.counterexample {
+        blocks.push(Block::paragraph(
+            Prose::of("Without the relation it is false: ")
+                .then(values(formulas, witness))
+                .words("."),
+        ));
+    }
+}
+
+/// A label in front of a display.
+fn text_of(label: &Prose) -> String {
+    if label.is_empty() {
+        String::new()
+    } else {
+        format!("\\text{{{}}}", label.to_latex())
+    }
+}
+
+fn more(count: usize, what: &str, blocks: &mut Vec<Block>) {
+    if count > ENTRIES {
+        blocks.push(Block::paragraph(Prose::of(format!(
+            "In all {count} {what}; the others are in verdicts.json.",
+        ))));
+    }
+}
+
+fn refutation_blocks(formulas: &Formulas, refutation: &Refutation, blocks: &mut Vec<Block>) {
+    let absent = missing(refutation);
+    if !absent.is_empty() {
+        let rest = if refutation.residual.is_empty() {
+            "."
+        } else {
+            ". Even where that is read as zero, the sides differ:"
+        };
+        blocks.push(Block::paragraph(
+            Prose::of("False as printed: ").then(absent).words(rest),
+        ));
+    } else {
+        blocks.push(Block::paragraph(Prose::of(
+            "False as printed; left minus right is not zero:",
+        )));
+    }
+    for entry in refutation.residual.iter().take(ENTRIES) {
+        blocks.push(residual(formulas, entry));
+    }
+    more(refutation.residual.len(), "entries differ", blocks);
+    if let Some(witness) = &refutation.witness {
+        blocks.push(Block::paragraph(
+            Prose::of("An exact point where the sides differ: ")
+                .then(values(formulas, witness))
+                .words("."),
+        ));
+    }
+}
+
+fn residual(formulas: &Formulas, entry: &ResidualEntry) -> Block {
+    let f = entry.difference();
+    let label = place(entry);
+    let name = format!("{}\\mathrm{{lhs}} - \\mathrm{{rhs}}", text_of(&label));
+    Block::Display {
+        latex: formulas.display(&name, &f),
+        plain: format!(
+            "{}lhs - rhs = {}",
+            label.to_plain(),
+            difference(formulas, &f)[1]
+        ),
+    }
+}
+
+fn correction_blocks(
+    audit: &Audit,
+    formulas: &Formulas,
+    outcome: &Outcome,
+    correction: &Correction,
+    blocks: &mut Vec<Block>,
+) {
+    let class = correction.edits.first().map_or("", |e| e.class.as_str());
+    blocks.push(Block::paragraph(
+        Prose::of(format!("The slip is one of {class}: "))
+            .then(edits(&correction.edits))
+            .words(format!(", {}. Corrected it reads", uniqueness(correction))),
+    ));
+    let equation = &audit.model.equations[outcome.equation];
+    if let Some(link) = equation.links.get(outcome.member - 1) {
+        let latex = equation_of(&correction.display, link);
+        blocks.push(Block::Display {
+            plain: plain(&latex),
+            latex,
+        });
+    }
+    if let Some(given) = &correction.given {
+        blocks.push(Block::paragraph(
+            Prose::of("which holds given ")
+                .then(relations(formulas, given))
+                .words("."),
+        ));
+    }
+    if !correction.alternatives.is_empty() {
+        let others = correction
+            .alternatives
+            .iter()
+            .take(READINGS)
+            .map(|e| edits(e));
+        blocks.push(Block::paragraph(
+            Prose::of("Others that would do as well: ")
+                .then(Prose::joined(others, "; "))
+                .words("."),
+        ));
+    }
+    if correction.rejected.is_empty() {
+        return;
+    }
+    let mut readings: Vec<&Rejected> = correction.rejected.iter().collect();
+    readings.sort_by_key(|r| rank(r, correction));
+    let rows = readings.into_iter().take(READINGS).map(|rejected| {
+        let reading = if rejected.edits.is_empty() {
+            Prose::of("as printed")
+        } else {
+            edits(&rejected.edits)
+        };
+        let why = match (&rejected.missing, &rejected.witness) {
+            (Some(name), _) => Prose::new().math(name.clone()).words(" does not exist"),
+            (None, Some(witness)) => {
+                let mut here = witness.clone();
+                here.point.clear();
+                values(formulas, &here)
+            }
+            (None, None) => Prose::of("the sides differ"),
+        };
+        vec![reading, why]
+    });
+    blocks.push(Block::paragraph(Prose::of(
+        "Other readings of the same places, and what came of them at the reference point:",
+    )));
+    blocks.push(Block::Table {
+        head: vec!["reading".into(), "why not".into()],
+        rows: rows.collect(),
+    });
+    if correction.rejected.len() > READINGS {
+        blocks.push(Block::paragraph(Prose::of(format!(
+            "{} readings of these places were tried in all.",
+            correction.rejected.len()
+        ))));
+    }
+}
+
+/// First what leaves out a part of the correction, then what changes all of its places, then the
+/// rest.
+fn rank(rejected: &Rejected, correction: &Correction) -> u8 {
+    if rejected.edits.iter().all(|e| correction.edits.contains(e)) {
+        0
+    } else if rejected.edits.len() == correction.edits.len() {
+        1
+    } else {
+        2
+    }
+}
+
+/// What proves the verdict, and that it was multiplied out.
+fn certificate(certificate: &Certificate) -> Prose {
+    let entries = certificate.entries.len();
+    if entries == 0 {
+        return Prose::new();
+    }
+    let what = if entries == 1 {
+        "the equation".to_string()
+    } else {
+        format!("all {entries} entries")
+    };
+    Prose::of(if certificate.verify() {
+        format!("Checked by multiplying out {what}.")
+    } else {
+        format!("The certificate for {what} does not verify: this is a fault of the program.")
+    })
+}
+
+/// What must not vanish, by the reason why it does not.
+pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Prose> {
+    let mut groups: Vec<(&Option<Because>, Vec<&NonVanishing>)> = Vec::new();
+    for condition in conditions {
+        match groups
+            .iter_mut()
+            .find(|(because, _)| **because == condition.because)
+        {
+            Some((_, group)) => group.push(condition),
+            None => groups.push((&condition.because, vec![condition])),
+        }
+    }
+    if groups.is_empty() {
+        return None;
+    }
+    let each = groups.into_iter().map(|(because, group)| {
+        let factors = group.iter().map(|c| {
+            Prose::new().formula(
+                formulas.polynomial(&c.factor, Script::Latex),
+                formulas.polynomial(&c.factor, Script::Plain),
+            )
+        });
+        Prose::joined(factors, ", ").words(match because {
+            Some(Because::Positive) => " (of positive letters)".to_string(),
+            Some(Because::PositiveBy(by)) => format!(" (positive once {} is inserted)", labels(by)),
+            None => " (which nothing declared here ensures)".to_string(),
+        })
+    });
+    Some(
+        Prose::of("Divided by, and so not zero: ")
+            .then(Prose::joined(each, "; "))
+            .words("."),
+    )
+}

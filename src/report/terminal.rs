@@ -1,0 +1,182 @@
+//! The table that `rederive check` prints: coverage first, then a line for each link.
+
+use crate::audit::Audit;
+use crate::document::VerdictWord;
+use crate::inspection::Inspection;
+use crate::report::formula::Formulas;
+use crate::report::rows::rows;
+use crate::standing::Standing;
+use crate::unit::UnitFinding;
+use crate::verdict::Outcome;
+use comfy_table::{Cell, Color, ColumnConstraint, ContentArrangement, Table, Width, presets};
+
+/// How the table looks.
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
+    /// Whether the verdicts are coloured.
+    pub colour: bool,
+    /// The number of columns; none where lines may be as long as they are.
+    pub width: Option<u16>,
+}
+
+/// One document: its title, its coverage, its verdicts.
+pub fn table(inspection: &Inspection, style: Style) -> String {
+    let audit = &inspection.audit;
+    let formulas = Formulas::of(&audit.model);
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    if let Some(width) = style.width {
+        table.set_width(width);
+    }
+    if style.colour {
+        table.enforce_styling();
+    } else {
+        table.force_no_tty();
+    }
+    for row in rows(audit, &formulas) {
+        let mut word = row.word.as_str().to_string();
+        if row.standing == Standing::Differs {
+            word += " (unexpected)";
+        }
+        let colour = match row.standing {
+            Standing::AsExpected => colour(row.word),
+            Standing::Differs => Color::Red,
+            Standing::Undecided => Color::Magenta,
+        };
+        table.add_row(vec![
+            Cell::new(row.number),
+            Cell::new(word).fg(colour),
+            Cell::new(row.reason.to_plain()),
+        ]);
+    }
+    if let Some(column) = table.column_mut(2) {
+        column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(30)));
+    }
+    let lines: Vec<String> = table
+        .to_string()
+        .lines()
+        .map(|line| line.trim_end().to_string())
+        .collect();
+    let mut out = format!(
+        "{}\n{}\n{}\n\n{}\n",
+        audit.model.document.title,
+        audit.model.document.name,
+        coverage(audit),
+        lines.join("\n")
+    );
+    for line in units(audit).into_iter().chain(floating_point(inspection)) {
+        out += &format!("\n {line}");
+    }
+    if out.ends_with('\n') { out } else { out + "\n" }
+}
+
+fn colour(word: VerdictWord) -> Color {
+    match word {
+        VerdictWord::Holds => Color::Green,
+        VerdictWord::HoldsGiven | VerdictWord::Loose => Color::Yellow,
+        VerdictWord::Misprint | VerdictWord::Refuted => Color::Red,
+        VerdictWord::Undecided => Color::Magenta,
+        VerdictWord::Definition | VerdictWord::Recalled => Color::Reset,
+    }
+}
+
+/// `24 of 24 numbered equations have a verdict`, or which have none.
+pub fn coverage(audit: &Audit) -> String {
+    let coverage = audit.coverage();
+    let links = audit.outcomes.len();
+    if coverage.announced.is_empty() {
+        return format!("{links} links checked; the document announces no equation numbers");
+    }
+    let mut line = format!(
+        "{} of {} numbered equations have a verdict",
+        coverage.covered(),
+        coverage.announced.len()
+    );
+    let list = |numbers: &[u32]| {
+        let numbers: Vec<String> = numbers.iter().map(|n| format!("({n})")).collect();
+        numbers.join(", ")
+    };
+    if !coverage.absent.is_empty() {
+        line += &format!("; not in the document: {}", list(&coverage.absent));
+    }
+    if !coverage.undecided.is_empty() {
+        line += &format!("; undecided: {}", list(&coverage.undecided));
+    }
+    line + &format!("; {links} links in all")
+}
+
+/// Whether the document says anything about units.
+pub fn has_units(audit: &Audit) -> bool {
+    audit.model.symbols.iter().any(|s| s.unit.is_some())
+}
+
+/// The findings on units by equation: the first and how many more.
+pub fn units_by_equation(audit: &Audit) -> Vec<(&UnitFinding, usize)> {
+    let mut found: Vec<(&UnitFinding, usize)> = Vec::new();
+    for finding in &audit.units {
+        match found
+            .iter_mut()
+            .find(|(first, _)| first.label == finding.label)
+        {
+            Some((_, more)) => *more += 1,
+            None => found.push((finding, 0)),
+        }
+    }
+    found
+}
+
+fn units(audit: &Audit) -> Vec<String> {
+    if audit.units.is_empty() && has_units(audit) {
+        return vec!["units: every equation is homogeneous".into()];
+    }
+    units_by_equation(audit)
+        .into_iter()
+        .map(|(first, more)| match more {
+            0 => format!("units, ({}): {first}", first.label),
+            n => format!("units, ({}): {first}; {n} more such places", first.label),
+        })
+        .collect()
+}
+
+/// What the floating-point route says, in a line or two.
+fn floating_point(inspection: &Inspection) -> Vec<String> {
+    let Some(comparison) = &inspection.comparison else {
+        return Vec::new();
+    };
+    let mut lines = Vec::new();
+    for (named, points) in [(false, "random points"), (true, "named points")] {
+        let count = comparison
+            .points
+            .iter()
+            .filter(|p| p.named == named)
+            .count();
+        if let Some((digits, point)) = inspection.fewest_digits(named) {
+            let place = &comparison.points[point].name;
+            lines.push(format!(
+                "floating point: at {count} {points} the best method keeps {digits:.1} digits or \
+                 more (fewest at {place})"
+            ));
+        }
+    }
+    for subject in comparison.conflicts() {
+        lines.push(format!(
+            "CONFLICT: exact and floating-point value of {} contradict each other; this is a \
+             fault of the program",
+            inspection.subject(subject)
+        ));
+    }
+    lines
+}
+
+/// How many links have which verdict: `41 hold, ...`, in the order of the table of verdicts.
+pub fn tally(outcomes: &[Outcome]) -> Vec<(VerdictWord, usize)> {
+    VerdictWord::ALL
+        .into_iter()
+        .map(|word| {
+            let count = outcomes.iter().filter(|o| o.verdict.word() == word).count();
+            (word, count)
+        })
+        .filter(|(_, count)| *count > 0)
+        .collect()
+}

@@ -1,0 +1,97 @@
+//! Whether a verdict is what it should be, and what the process says to its caller.
+//!
+//! Unknown is never a pass. A verdict that the document records must come out again; where it
+//! records none, a slip that nobody has acknowledged counts as a difference.
+
+use crate::audit::Audit;
+use crate::check;
+use crate::document::VerdictWord;
+use crate::evaluate::Value;
+use crate::inspection::Inspection;
+use crate::verdict::{Outcome, Verdict};
+use ratpoly::Polynomial;
+
+/// How a verdict stands to what the document expects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// As recorded; or not recorded and true.
+    AsExpected,
+    /// Another verdict than the recorded one, another hypothesis than the stated one, or a slip
+    /// that the document does not record.
+    Differs,
+    /// No verdict was reached.
+    Undecided,
+}
+
+impl Audit {
+    /// How the verdict on a link stands to what the document expects.
+    pub fn standing(&self, outcome: &Outcome) -> Standing {
+        let word = outcome.verdict.word();
+        if word == VerdictWord::Undecided {
+            return Standing::Undecided;
+        }
+        let recorded = self.model.equations[outcome.equation].expected(outcome.member);
+        let expected = match recorded {
+            Some(_) => self.as_expected(outcome) && self.hypothesis_as_stated(outcome),
+            None => !matches!(
+                word,
+                VerdictWord::Misprint | VerdictWord::Refuted | VerdictWord::Loose
+            ),
+        };
+        if expected {
+            Standing::AsExpected
+        } else {
+            Standing::Differs
+        }
+    }
+
+    /// Whether each relation that a verdict needs is among those that the document states, if it
+    /// states any.
+    fn hypothesis_as_stated(&self, outcome: &Outcome) -> bool {
+        let given = match &outcome.verdict {
+            Verdict::HoldsGiven(given) => given,
+            _ => return true,
+        };
+        let stated = &self.model.equations[outcome.equation].given;
+        if stated.is_empty() {
+            return true;
+        }
+        let normal = |p: &Polynomial| p.primitive_part().unit_normal();
+        let mut exact = check::symbolic(&self.model);
+        let stated: Vec<Polynomial> = stated
+            .iter()
+            .filter_map(|difference| match exact.expression(difference) {
+                Ok(Value::Scalar(value)) => Some(normal(value.numerator())),
+                _ => None,
+            })
+            .collect();
+        given.relations.iter().all(|r| stated.contains(&normal(r)))
+    }
+}
+
+/// The exit code of a run: 0 all as expected, 1 a verdict differs, 2 something is undecided or a
+/// numbered equation has no verdict, 3 a document could not be read, 4 the exact and the
+/// floating-point route contradict each other. Of several, the largest.
+pub fn exit_code(inspections: &[Inspection], rejected: usize) -> u8 {
+    let mut code = if rejected > 0 { 3 } else { 0 };
+    for Inspection { audit, comparison } in inspections {
+        if comparison
+            .as_ref()
+            .is_some_and(|c| !c.conflicts().is_empty())
+        {
+            code = 4;
+        }
+        for outcome in &audit.outcomes {
+            code = code.max(match audit.standing(outcome) {
+                Standing::AsExpected => 0,
+                Standing::Differs => 1,
+                Standing::Undecided => 2,
+            });
+        }
+        let coverage = audit.coverage();
+        if coverage.covered() < coverage.announced.len() {
+            code = code.max(2);
+        }
+    }
+    code
+}
