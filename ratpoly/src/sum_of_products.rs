@@ -145,36 +145,52 @@ fn fuse<'a, M: PackedMonomial + Copy>(
     {
         return scale(ring, layout, Run::new(negate, term, list));
     }
-    let mut runs: Vec<Run<'a, M>> = Vec::with_capacity(products.len());
-    let (mut total, mut bits, mut overflows) = (0, 0, false);
-    for &(negate, f, g) in products {
+    // First only what decides about the method: most sums are short and need no vector of runs.
+    let (mut total, mut rows, mut bits, mut overflows) = (0, 0, 0, false);
+    for (_, f, g) in products {
         let (Some(f), Some(g)) = (M::words(&f.terms), M::words(&g.terms)) else {
             return Fused::Unsuitable;
         };
-        let (f, g) = if f.len() <= g.len() { (f, g) } else { (g, f) };
-        if runs.len() + f.len() > MOST_RUNS {
+        if rows + f.len().min(g.len()) > MOST_RUNS {
             return Fused::Unsuitable;
         }
         let (Some((a, m)), Some((b, n))) = (extent(f, layout), extent(g, layout)) else {
             continue;
         };
         total += f.len() * g.len();
+        rows += f.len().min(g.len());
         bits = bits.max(a + b);
         overflows |= m.product(&n).overflows(layout);
-        runs.extend(f.iter().map(|term| Run::new(negate, term, g)));
     }
     if overflows {
         return Fused::LayoutTooNarrow;
     }
-    if products.len() == 1 && runs.len() > FEW_RUNS && total > SHORT {
+    if products.len() == 1 && rows > FEW_RUNS && total > SHORT {
         return Fused::Unsuitable;
     }
     // A coefficient of the sum adds at most one term of each run. (The negative of the least word is the
     // one factor that would be wrong; the bound keeps it out.)
-    bits += usize::BITS - runs.len().leading_zeros();
+    bits += usize::BITS - rows.leading_zeros();
+    let runs = products.iter().flat_map(|&(negate, f, g)| {
+        let f = M::words(&f.terms).unwrap_or_default();
+        let g = M::words(&g.terms).unwrap_or_default();
+        let (f, list) = if f.len() <= g.len() { (f, g) } else { (g, f) };
+        f.iter().map(move |term| Run::new(negate, term, list))
+    });
     let list = match bits {
-        0..=62 => accumulate::<M, i64>(&runs, total),
-        63..=126 if runs.iter().all(|run| run.factor != i64::MIN) => {
+        0..=62 if total <= SMALL => {
+            let mut all: Vec<Term<M, i64>> = Vec::with_capacity(total);
+            for run in runs {
+                all.extend((0..run.list.len()).map(|k| run.term::<i64>(k)));
+            }
+            i64::collect(all)
+        }
+        0..=62 => accumulate::<M, i64>(&runs.collect::<Vec<_>>(), total),
+        63..=126 => {
+            let runs: Vec<Run<'a, M>> = runs.collect();
+            if runs.iter().any(|run| run.factor == i64::MIN) {
+                return Fused::Unsuitable;
+            }
             accumulate::<M, i128>(&runs, total)
         }
         _ => return Fused::Unsuitable,
