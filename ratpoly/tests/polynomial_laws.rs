@@ -80,6 +80,20 @@ proptest! {
     }
 
     #[test]
+    fn fused_sums_are_sums_of_products([f, g, h] in triple(18, SMALL), [u, v, w] in triple(1, SMALL)) {
+        let ring = f.ring();
+        let lone = |p: &Polynomial| p.to_ring(ring).unwrap();
+        let (u, v, w) = (lone(&u), lone(&v), lone(&w));
+        let pairs = [(&f, &g), (&g, &h), (&u, &f), (&v, &w), (&w, &h)];
+        for k in 0..=pairs.len() {
+            let fused = Polynomial::sum_of_products(ring, pairs[..k].iter().copied()).unwrap();
+            let plain = pairs[..k].iter().map(|(a, b)| Plain::of(a).mul(&Plain::of(b)));
+            let plain = plain.fold(Plain::new([]), |sum, p| sum.add(&p));
+            prop_assert_eq!(Plain::of(&canonical(fused)), plain);
+        }
+    }
+
+    #[test]
     fn division_with_remainder([f, g, h] in triple(4, SMALL)) {
         let divisors: Vec<&Polynomial> = [&g, &h].into_iter().filter(|d| !d.is_zero()).collect();
         let (quotients, remainder) = f.div_rem(&divisors).unwrap();
