@@ -35,6 +35,9 @@ pub fn factor_square_free(f: &[BigInt], budget: &Budget) -> Result<Vec<Vec<BigIn
     if f[0].is_zero() {
         factors.push(vec![BigInt::zero(), BigInt::one()]);
         f.remove(0);
+        if f[0].is_zero() {
+            return Err(Error::Unsupported("the polynomial is not square-free"));
+        }
     }
     if f.len() == 2 {
         factors.push(f);
@@ -312,6 +315,11 @@ mod tests {
         assert_eq!(factor(&[0, -6, 2]), [integers(&[-3, 1]), integers(&[0, 1])]);
         assert!(matches!(
             factor_square_free(&integers(&[1, 2, 1]), &Budget::default()),
+            Err(Error::Unsupported(_))
+        ));
+        // Twice the factor x, which is split off before any prime is looked at.
+        assert!(matches!(
+            factor_square_free(&integers(&[0, 0, -2, 3, 6, -1, 2]), &Budget::default()),
             Err(Error::Unsupported(_))
         ));
         assert!(matches!(
