@@ -16,6 +16,7 @@
 //! coprime. The choices come from fixed seeds: the same input takes the same way.
 
 mod degree_bounds;
+mod images;
 mod prs;
 mod shape;
 mod sparse;
