@@ -6,6 +6,7 @@
 //! definitions is the checker's business.
 
 mod failure;
+mod index;
 mod nodes;
 mod solve;
 pub mod value;
@@ -19,7 +20,6 @@ use crate::model::names::Resolved;
 use crate::model::{Model, Node};
 use crate::span::Span;
 use crate::theory::{arithmetic, determinant};
-use num_traits::ToPrimitive;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The largest exponent that is evaluated.
@@ -266,58 +266,6 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             ExprKind::Cases(_) => Err(Failure::unsupported("a definition by cases", span)),
             ExprKind::Infinity => Err(Failure::unsupported("infinity", span)),
             ExprKind::Constant => Err(Failure::unsupported("an unnamed constant", span)),
-        }
-    }
-
-    /// The integer that an index or exponent evaluates to.
-    ///
-    /// # Errors
-    /// When it is no integer.
-    pub fn integer(&mut self, expr: &Expr) -> Result<i64, Failure> {
-        let fail = || {
-            Failure::new(
-                FailureKind::Exponent {
-                    exponent: crate::latex::write_expr(expr),
-                    limit: LARGEST_EXPONENT,
-                },
-                expr.span,
-            )
-        };
-        match &expr.kind {
-            ExprKind::Number(n) if n.is_integer() => n.to_integer().to_i64().ok_or_else(fail),
-            ExprKind::Name(name) => self
-                .bound_value(&crate::latex::canonical(name))
-                .ok_or_else(fail),
-            ExprKind::Group { inner, .. } => self.integer(inner),
-            ExprKind::Sum(terms) => {
-                let mut sum = 0i64;
-                for (sign, term) in terms {
-                    let value = self.integer(term)?;
-                    sum = match sign {
-                        Sign::Plus => sum.checked_add(value),
-                        Sign::Minus => sum.checked_sub(value),
-                    }
-                    .ok_or_else(fail)?;
-                }
-                Ok(sum)
-            }
-            ExprKind::Product(factors) => {
-                let mut product = 1i64;
-                for factor in factors {
-                    product = product
-                        .checked_mul(self.integer(factor)?)
-                        .ok_or_else(fail)?;
-                }
-                Ok(product)
-            }
-            ExprKind::Power { base, exponent } => {
-                let base = self.integer(base)?;
-                u32::try_from(self.integer(exponent)?)
-                    .ok()
-                    .and_then(|e| base.checked_pow(e))
-                    .ok_or_else(fail)
-            }
-            _ => Err(fail()),
         }
     }
 

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::{self, Document};
-use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
+use crate::expr::{Expr, ExprKind, Name, Relation, Sign};
 use crate::latex::{self, Signature};
 use crate::span::Span;
 use num_traits::ToPrimitive;
@@ -519,19 +519,5 @@ impl Builder {
         report.sort_by_key(|d| d.span);
         report.dedup();
         Err(report)
-    }
-}
-
-/// Calls `see` on every expression of a display, including the labels of underbraces.
-pub(super) fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr)) {
-    for clause in &display.clauses {
-        for member in &clause.chain.members {
-            links::visit(member, see);
-        }
-        for (_, label) in links::underbraces(&clause.chain) {
-            for member in &label.members {
-                links::visit(member, see);
-            }
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Names without a meaning, and definitions that need themselves.
 
-use super::build::each_expression;
+use super::links::each_expression;
 use super::names::{Element, Resolved, literal_integer};
 use super::{DefinitionKind, Model, Node, Role};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};

@@ -1,7 +1,7 @@
 //! The letters of the ring: symbols, their time derivatives, and abbreviations.
 
-use super::build::each_expression;
 use super::links;
+use super::links::each_expression;
 use super::{DefinitionKind, Equation, Letter, Model, Node, Role, Symbol};
 use crate::expr::{ExprKind, Name};
 use crate::latex;

@@ -129,6 +129,20 @@ pub fn visit<'a>(expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
     }
 }
 
+/// Calls `see` on every expression of a display, including the labels of underbraces.
+pub fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr)) {
+    for clause in &display.clauses {
+        for member in &clause.chain.members {
+            visit(member, see);
+        }
+        for (_, label) in underbraces(&clause.chain) {
+            for member in &label.members {
+                visit(member, see);
+            }
+        }
+    }
+}
+
 /// The direct subexpressions, in reading order; the labels of underbraces and the indices of
 /// names are not among them.
 pub fn children(expr: &Expr) -> Vec<&Expr> {
