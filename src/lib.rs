@@ -43,3 +43,8 @@ pub mod standing;
 pub mod theory;
 pub mod unit;
 pub mod verdict;
+
+/// The README's Rust examples, compiled as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,84 @@
+//! What the README says is so: its tables are what the program prints, its example is checked, and
+//! its exit codes are those of the program.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn readme() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    std::fs::read_to_string(path).expect("the README")
+}
+
+/// The body of the first fence after a marker.
+fn fence_after<'a>(text: &'a str, marker: &str) -> &'a str {
+    let rest = &text[text.find(marker).unwrap_or_else(|| panic!("{marker}"))..];
+    let start = rest.find("```").expect("a fence");
+    let ticks = rest[start..].bytes().take_while(|b| *b == b'`').count();
+    let body = start + rest[start..].find('\n').expect("an info string") + 1;
+    let close = format!("\n{}\n", "`".repeat(ticks));
+    let end = body + rest[body..].find(&close).expect("the end of the fence") + 1;
+    &rest[body..end]
+}
+
+fn rederive(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_rederive"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("the program runs")
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+#[test]
+fn the_table_is_what_the_program_prints() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let document = "proofs/schiehlen-2006/quarter-car.md";
+    let output = rederive(root, &["check", document]);
+    let printed = String::from_utf8(output.stdout).expect("text");
+    let shown = readme();
+    let shown = fence_after(&shown, &format!("<!-- table: {document} -->"));
+    assert_eq!(printed.trim_end(), shown.trim_end());
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn the_example_is_checked_as_shown() {
+    let text = readme();
+    let lens = fence_after(&text, "Save this as `lens.md`");
+    let folder = folder("readme-example");
+    std::fs::write(folder.join("lens.md"), lens).expect("a file");
+    let output = rederive(&folder, &["check", "lens.md"]);
+    let printed = String::from_utf8(output.stdout).expect("text");
+    let shown = fence_after(&text, "<!-- output: rederive check lens.md -->");
+    assert_eq!(printed.trim_end(), shown.trim_end());
+    // The slip is not recorded yet.
+    assert_eq!(output.status.code(), Some(1));
+
+    let record = fence_after(&text, "Record the verdict");
+    std::fs::write(folder.join("lens.md"), format!("{lens}\n{record}")).expect("a file");
+    let output = rederive(&folder, &["check", "lens.md"]);
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn bad_input_has_its_exit_code() {
+    let folder = folder("readme-bad-input");
+    std::fs::write(folder.join("bad.md"), b"```math 1 claim\n\xff\n```\n").expect("a file");
+    std::fs::write(folder.join("open.md"), "```math 1 claim\nx = (y\n```\n").expect("a file");
+    std::fs::write(folder.join("empty.md"), "").expect("a file");
+    for file in ["bad.md", "open.md", "empty.md", "missing.md"] {
+        let output = rederive(&folder, &["check", file]);
+        assert_eq!(output.status.code(), Some(3), "{file}");
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(told.contains(file), "{file}: {told}");
+    }
+    // A cosine is outside of what is decided.
+    let odd = "```toml symbols\nx = { meaning = \"\" }\n```\n```math 1 claim\nx = \\cos x\n```\n";
+    std::fs::write(folder.join("odd.md"), odd).expect("a file");
+    assert_eq!(rederive(&folder, &["check", "odd.md"]).status.code(), Some(2));
+}
