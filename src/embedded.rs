@@ -1,33 +1,47 @@
-//! The documents that travel inside the program, so that it checks something without any file.
+//! The documents that travel inside the program, so that it checks something without any file:
+//! whatever stands below `proofs/` when it is built.
 
 use crate::diagnostic::Rejection;
 use crate::document::Document;
-use crate::input::Input;
+use crate::input::{Input, is_document};
+use include_dir::{Dir, include_dir};
 
-/// Name and text of each document below `proofs/`.
-pub const DOCUMENTS: &[(&str, &str)] = &[
-    (
-        "proofs/matrix-polynomial/lyapunov.md",
-        include_str!("../proofs/matrix-polynomial/lyapunov.md"),
-    ),
-    (
-        "proofs/schiehlen-2006/quarter-car.md",
-        include_str!("../proofs/schiehlen-2006/quarter-car.md"),
-    ),
-];
+static PROOFS: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs");
 
-/// The documents, decoded.
+/// The documents, decoded, by name.
 pub fn documents() -> Vec<Input> {
-    DOCUMENTS
-        .iter()
+    let mut files = Vec::new();
+    markdown(&PROOFS, &mut files);
+    files.sort_unstable();
+    files
+        .into_iter()
         .map(|(name, text)| {
-            Document::parse(name, text).map_err(|diagnostics| Rejection {
-                name: (*name).into(),
-                text: (*text).into(),
+            let name = format!("proofs/{name}");
+            Document::parse(&name, text).map_err(|diagnostics| Rejection {
+                name,
+                text: text.into(),
                 diagnostics,
             })
         })
+        .filter(is_document)
         .collect()
+}
+
+/// Name and text of every Markdown file of a folder and those below it.
+fn markdown(folder: &'static Dir, found: &mut Vec<(String, &'static str)>) {
+    for file in folder.files() {
+        let path = file.path();
+        if path.extension().is_some_and(|e| e == "md")
+            && let Some(text) = file.contents_utf8()
+        {
+            // The same name on every system.
+            let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+            found.push((parts.join("/"), text));
+        }
+    }
+    for inner in folder.dirs() {
+        markdown(inner, found);
+    }
 }
 
 #[cfg(test)]
@@ -36,13 +50,16 @@ mod tests {
     use crate::input;
 
     #[test]
-    fn no_document_of_the_folder_is_forgotten() {
+    fn the_documents_inside_are_those_of_the_folder() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/proofs");
-        let on_disk: Vec<String> = input::read(&[folder])
-            .into_iter()
-            .map(|d| d.unwrap_or_else(|e| panic!("{e}")).text)
-            .collect();
-        let inside: Vec<String> = DOCUMENTS.iter().map(|(_, text)| text.to_string()).collect();
-        assert_eq!(inside, on_disk);
+        let texts = |inputs: Vec<Input>| -> Vec<String> {
+            let documents = inputs
+                .into_iter()
+                .map(|d| d.unwrap_or_else(|e| panic!("{e}")));
+            documents.map(|d| d.text).collect()
+        };
+        let inside = texts(documents());
+        assert!(!inside.is_empty());
+        assert_eq!(inside, texts(input::read(&[folder])));
     }
 }

@@ -38,7 +38,7 @@ pub fn read<P: AsRef<Path>>(paths: &[P]) -> Vec<Input> {
     inputs
 }
 
-fn is_document(input: &Input) -> bool {
+pub(crate) fn is_document(input: &Input) -> bool {
     match input {
         Ok(_) => true,
         Err(rejection) => !rejection

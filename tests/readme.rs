@@ -80,5 +80,8 @@ fn bad_input_has_its_exit_code() {
     // A cosine is outside of what is decided.
     let odd = "```toml symbols\nx = { meaning = \"\" }\n```\n```math 1 claim\nx = \\cos x\n```\n";
     std::fs::write(folder.join("odd.md"), odd).expect("a file");
-    assert_eq!(rederive(&folder, &["check", "odd.md"]).status.code(), Some(2));
+    assert_eq!(
+        rederive(&folder, &["check", "odd.md"]).status.code(),
+        Some(2)
+    );
 }
