@@ -151,30 +151,23 @@ fn with_name(expr: &Expr, name: Name) -> ExprKind {
 /// slots, exchanged letters, and the same subscript in another order.
 pub fn indices(display: &Display, places: &[Place]) -> Vec<Replacement> {
     let all: Vec<_> = places.iter().flat_map(|p| addresses(display, *p)).collect();
-    let mut letters: Vec<Name> = Vec::new();
-    for (_, expr) in &all {
-        if let ExprKind::BigSum { index, .. } = &expr.kind
-            && !letters.contains(index)
-        {
-            letters.push(index.clone());
-        }
-    }
-    let subscripts: Vec<(&Address, &Expr, &Name, &Subscript)> = all
+    let subscripts: Vec<(&Address, &Expr, &Name, &Subscript, Vec<Name>)> = all
         .iter()
         .filter_map(|(address, expr)| {
             let name = name_of(expr)?;
             let subscript = name.subscript.as_ref()?;
+            let letters = bound_letters(display, address, &all);
             let is_index = !subscript.indices.is_empty()
                 && subscript
                     .indices
                     .iter()
                     .all(|i| is_index_expression(i, &letters));
-            is_index.then_some((address, expr, name, subscript))
+            is_index.then_some((address, expr, name, subscript, letters))
         })
         .collect();
     let mut found = Vec::new();
-    for (address, expr, name, subscript) in &subscripts {
-        let pool = index_pool(&subscript.indices, &letters);
+    for (address, expr, name, subscript, letters) in &subscripts {
+        let pool = index_pool(&subscript.indices, letters);
         for tuple in tuples(&pool, subscript.indices.len()) {
             if tuple == subscript.indices {
                 continue;
@@ -198,6 +191,27 @@ pub fn indices(display: &Display, places: &[Place]) -> Vec<Replacement> {
     }
     found
 }
+
+/// The indices that have a value at an address: those of its clause's ranges and of the sums around
+/// it.
+fn bound_letters(display: &Display, address: &Address, all: &[(Address, Expr)]) -> Vec<Name> {
+    let clause = &display.clauses[address.place.clause()];
+    let mut letters: Vec<Name> = clause.ranges.iter().map(|r| r.index.clone()).collect();
+    for (outer, expr) in all {
+        if let ExprKind::BigSum { index, .. } = &expr.kind
+            && outer.place == address.place
+            && address.path.starts_with(&outer.path)
+            && address.path.get(outer.path.len()) == Some(&SUM_BODY)
+            && !letters.contains(index)
+        {
+            letters.push(index.clone());
+        }
+    }
+    letters
+}
+
+/// Which child of a sum is its body; the others are its limits, where its index has no value.
+const SUM_BODY: usize = 2;
 
 fn is_index_expression(expr: &Expr, letters: &[Name]) -> bool {
     let mut plain = true;
