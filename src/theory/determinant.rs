@@ -3,7 +3,7 @@
 //! Expansion column by column with every minor computed once, addressed by the set of its rows:
 //! division-free, so that no condition arises, and the cheapest known way for the sparse matrices
 //! of symbols that stability theory writes down (Gentleman & Johnson 1976 compare it with
-//! elimination). Orders above [`LARGEST_EXPANSION`] go by elimination.
+//! elimination). Orders above twelve go by elimination.
 
 use super::linear::eliminate;
 use crate::domain::Domain;

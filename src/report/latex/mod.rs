@@ -1,7 +1,7 @@
 //! The report in LaTeX: what was checked and how, each equation as printed with its verdict and
 //! the reasons, the intermediate results, the conditions.
 //!
-//! Article class and base packages only. Free text passes [`escape`], printed equations pass
+//! Article class and base packages only. Free text passes [`mod@escape`], printed equations pass
 //! [`printed`]; nothing else of a document reaches TeX. A display that is too wide for its line is
 //! set smaller, step by step.
 
