@@ -203,11 +203,11 @@ fn classics() {
     }
 }
 
-/// P. S. Wang, *An improved multivariate polynomial factoring algorithm*, 1978, and the examples of the
-/// same author's *Factoring multivariate polynomials over the integers*, 1975 (with L. Rothschild), in the
-/// letters a, b, c for x, y, z.
+/// What makes factoring in several variables hard, as P. S. Wang sets it out in *An improved multivariate
+/// polynomial factoring algorithm*, 1978: leading coefficients that are polynomials, factors that share
+/// them, images with more factors. The polynomials are made up here.
 #[test]
-fn wang_examples() {
+fn leading_coefficients_that_are_polynomials() {
     let ring = ring(4);
     let products: [&[&str]; 5] = [
         &[

@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
+use ratpoly::modular::two_adic_primes;
 use ratpoly::{
     Budget, Error, Order, Polynomial, Resource, Ring, gcd, gcd_cofactors, gcd_of, gcd_within, lcm,
 };
@@ -217,10 +218,11 @@ fn knuth_classical_pair() {
     assert_eq!(check(&(&f * &h), &(&g * &h)), h);
 }
 
-/// The seven families of W. S. Brown (1971) in the form of P. S. Wang, *The EEZ-GCD algorithm*, 1980:
-/// gcd trivial, linear, dense, with and without common leading coefficients.
+/// Families in a growing number of variables, of the kinds by which gcd algorithms have been compared since
+/// W. S. Brown, *On Euclid's algorithm and the computation of polynomial greatest common divisors*, 1971:
+/// gcd trivial, linear, sparse, dense. The polynomials themselves are made up here.
 #[test]
-fn wang_families() {
+fn families_of_known_gcd() {
     for v in 2..=8 {
         let ring = ring(v + 1, Order::Lex);
         let x = Polynomial::variable(ring, 0);
@@ -255,6 +257,56 @@ fn wang_families() {
         let d = (&x - &product + &one).pow(2);
         let f = &d * (&x + &product + Polynomial::constant(ring, 3));
         assert_eq!(check(&f, &(&d * (&x + &sum))), d, "{v}");
+    }
+}
+
+/// The primes that the modular images use, in all their sequences: they divide leading coefficients, a
+/// coefficient of the gcd itself, and the resultant of the cofactors, which then are equal modulo each.
+#[test]
+fn unlucky_primes_of_every_sequence() {
+    let ring = ring(3, Order::Grevlex);
+    let all = (20..=56).flat_map(|k| two_adic_primes(k).take(2));
+    let all: BigInt = all.map(BigInt::from).product();
+    let times = |text: &str| poly(ring, text).mul_integer(&all);
+    let d = poly(ring, "a + c") + times("b");
+    let pairs = [
+        (times("a") + poly(ring, "b + 1"), poly(ring, "a - b")),
+        (
+            poly(ring, "a") + times("b"),
+            poly(ring, "a") + times("2*b + c"),
+        ),
+        (
+            times("a^2 + 1") + poly(ring, "b"),
+            times("a^2 - c") - poly(ring, "b"),
+        ),
+    ];
+    for (f, g) in pairs {
+        assert!(check(&f, &g).is_one());
+        assert_eq!(check(&(&d * &f), &(&d * &g)), d);
+    }
+}
+
+/// Small points of evaluation are bad ones: there leading coefficients vanish, cofactors have a common
+/// factor, or the polynomials are equal.
+#[test]
+fn unlucky_points() {
+    let ring = ring(3, Order::Lex);
+    let (a, b, c) = (poly(ring, "a"), poly(ring, "b"), poly(ring, "c"));
+    let product = |x: &Polynomial| {
+        let factors = (-12..=12).map(|k| x - &Polynomial::constant(ring, k));
+        factors.fold(Polynomial::one(ring), |p, q| p * q)
+    };
+    let (in_b, in_c) = (product(&b), product(&c));
+    let d = &(&in_b * &a.pow(2)) + &(&c + &a);
+    let pairs = [
+        (&a + &in_b, &a + &(&in_b * &c)),
+        (&a + &in_b, &a - &in_c),
+        (&in_c * &a + Polynomial::one(ring), &in_c * &a + &b),
+        (&a + &b, &(&a + &b) + &(&in_b * &in_c)),
+    ];
+    for (f, g) in pairs {
+        assert!(check(&f, &g).is_one());
+        assert_eq!(check(&(&d * &f), &(&d * &g)), d);
     }
 }
 
