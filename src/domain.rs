@@ -6,6 +6,9 @@
 //! first). No floating-point field belongs here: that route is kept apart on purpose.
 
 use crate::functions::{FunctionTable, Functions};
+use crate::matrix::Matrix;
+use crate::theory::error::TheoryError;
+use crate::theory::lyapunov::{self, Lyapunov};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -55,6 +58,21 @@ pub trait Domain {
         function: &RationalFunction,
         letters: &[Self::Element],
     ) -> Option<Self::Element>;
+
+    /// The solution X of A X + X A^T + Q = 0, and det H of A, whose vanishing ends its uniqueness.
+    ///
+    /// # Errors
+    /// Where X is not unique, or a limit is hit.
+    fn lyapunov(
+        &self,
+        a: &Matrix<Self::Element>,
+        q: &Matrix<Self::Element>,
+    ) -> Result<Lyapunov<Self::Element>, TheoryError>
+    where
+        Self: Sized,
+    {
+        lyapunov::solve(self, a, q)
+    }
 
     /// The letters that occur, in increasing order; none over fields without letters.
     fn letters(&self, _element: &Self::Element) -> Vec<usize> {
@@ -199,6 +217,22 @@ impl Domain for Symbolic {
             }
             None => function.substitute(&values).ok(),
         }
+    }
+    fn lyapunov(
+        &self,
+        a: &Matrix<RationalFunction>,
+        q: &Matrix<RationalFunction>,
+    ) -> Result<Lyapunov<RationalFunction>, TheoryError> {
+        // Letters of functions satisfy relations that the polynomial route does not know.
+        let mut entries = a.iter().chain(q.iter());
+        let related = |letter: usize| {
+            let table = self.functions.as_ref();
+            table.is_some_and(|table| table.meaning(letter).is_some())
+        };
+        if entries.any(|entry| self.letters(entry).into_iter().any(related)) {
+            return lyapunov::solve(self, a, q);
+        }
+        lyapunov::solve_symbolic(self.ring, a, q)
     }
     fn letters(&self, element: &RationalFunction) -> Vec<usize> {
         let mut letters = element.numerator().variables_occurring();

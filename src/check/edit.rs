@@ -555,11 +555,23 @@ pub fn letters(display: &Display, places: &[Place]) -> Vec<Replacement> {
             continue;
         };
         for other in &names {
-            if other != name && other.letter.font == name.letter.font {
+            if other == name || other.letter.font != name.letter.font {
+                continue;
+            }
+            // A process for another one: its own dots, or those that the printed letter has.
+            let mut dots = vec![other.dots];
+            if name.dots > 0 && other.undotted() != name.undotted() && other.dots != name.dots {
+                dots.push(name.dots);
+            }
+            for dots in dots {
+                let other = Name {
+                    dots,
+                    ..other.clone()
+                };
                 found.push(Replacement {
                     address: address.clone(),
                     class: EditClass::Letter,
-                    kind: ExprKind::Name(other.clone()),
+                    kind: ExprKind::Name(other),
                 });
             }
         }

@@ -8,6 +8,7 @@ mod conditions;
 mod definite;
 pub mod edit;
 pub mod effect;
+mod factors;
 mod hypotheses;
 mod identity;
 mod instances;
@@ -19,17 +20,19 @@ mod sides;
 mod statement;
 mod witness;
 
-use crate::diagnostic::Diagnostic;
-use crate::domain::Symbolic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
 use crate::expr::{ExprKind, Relation};
 use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Letter, Model, Node, Role};
+use crate::theory::stability::hurwitz_determinants;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Certificate, Outcome, Refutation, Verdict};
 use identity::Decision;
+use num_traits::Signed;
 use ratpoly::RationalFunction;
 use std::collections::BTreeMap;
 
@@ -282,6 +285,7 @@ impl<'m> Checker<'m> {
         );
         match self.exact.value_of(key, span) {
             Ok(_) => {
+                self.require_stationary(system, span);
                 let unknowns = &model.systems[system].unknowns;
                 let names: Vec<String> = unknowns.iter().map(latex::canonical).collect();
                 Verdict::Definition {
@@ -308,6 +312,57 @@ impl<'m> Checker<'m> {
             Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual
         );
         order && plain(link.left) && plain(link.right)
+    }
+
+    /// What is called a covariance and solves a Lyapunov equation must belong to a stable system; at
+    /// the reference point, or for all positive letters, its Hurwitz determinants say so.
+    fn require_stationary(&mut self, system: usize, span: crate::span::Span) {
+        let node = Node::Unknown {
+            system,
+            position: 0,
+        };
+        if !self.model.covariances().any(|(_, n, _)| n == node) {
+            return;
+        }
+        let Some(matrix) = self.exact.lyapunov_matrix(system) else {
+            return;
+        };
+        let Ok(minors) = hurwitz_determinants(&self.exact.field, "A", matrix) else {
+            return;
+        };
+        let all: Vec<usize> = self.inserted.keys().copied().collect();
+        let definitions = self.insertion(&all).letters;
+        let point = self.reference_point();
+        for (k, minor) in minors.iter().enumerate() {
+            let Ok(minor) = minor.substitute(&definitions) else {
+                return;
+            };
+            let letters = self.exact.field.letters(&minor);
+            let known = letters.iter().all(|l| self.has_reference(*l));
+            let (negative, value) = match minor.evaluate(&point) {
+                Ok(value) if known => (!value.is_positive(), value.to_string()),
+                _ => {
+                    let constant_sign = !minor.is_zero() && self.is_negative(&minor);
+                    (minor.is_zero() || constant_sign, minor.to_string())
+                }
+            };
+            if negative {
+                let kind = DiagnosticKind::Unstable {
+                    order: k + 1,
+                    determinant: value,
+                };
+                self.diagnostics.push(Diagnostic::new(kind, span));
+                return;
+            }
+        }
+    }
+
+    /// Whether a function of positive letters is negative by the signs of its coefficients.
+    fn is_negative(&self, function: &RationalFunction) -> bool {
+        let letters = self.exact.field.letters(function);
+        letters.iter().all(|l| self.model.is_positive(*l))
+            && function.numerator().terms().all(|(_, c)| c.is_negative())
+            && function.denominator().terms().all(|(_, c)| c.is_positive())
     }
 
     /// A bare expression such as `a_i, i = 1(1)4` says that these things exist.

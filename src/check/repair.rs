@@ -7,6 +7,7 @@
 
 use super::Checker;
 use super::edit::{self, Address, Replacement};
+use super::factors::factors;
 use super::identity::Decision;
 use super::sides::sides_of;
 use crate::domain::{Domain, PRIME, PrimeField, Rationals};
@@ -47,7 +48,7 @@ impl<'m> Checker<'m> {
     ) -> Option<(Correction, Certificate)> {
         let display = self.exact.display(equation).clone();
         let places = [link.left, link.right];
-        let singles: Vec<Vec<Replacement>> = [
+        let mut singles: Vec<Vec<Replacement>> = [
             edit::dots_below,
             edit::signs,
             edit::indices,
@@ -61,6 +62,7 @@ impl<'m> Checker<'m> {
         .iter()
         .map(|class| class(&display, &places))
         .collect();
+        singles.push(factors(self.model, &display, link.right));
         let rows = edit::braces_under_all_rows(&display, link.right);
         let filter = Some(self.filter());
         let mut trials = Trials::new(&display, link, filter, 0, limit);

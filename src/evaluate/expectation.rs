@@ -53,7 +53,7 @@ impl<D: Domain> Evaluator<'_, D> {
             self.combinations(body, span)?
         } else {
             // What is random is known by its letters; only the covariances are taken here.
-            let mut symbolic = crate::check::symbolic(self.model);
+            let mut symbolic = crate::check::symbolic(self.model).in_instance(self.instance);
             symbolic.keep_abbreviations = self.keep_abbreviations;
             for (equation, display) in &self.corrected {
                 symbolic.correct(*equation, display.clone());

@@ -18,6 +18,7 @@ pub use value::Value;
 
 use crate::domain::Domain;
 use crate::expr::{Display, Expr, ExprKind, Function, Name, Sign};
+use crate::matrix::Matrix;
 use crate::model::names::Resolved;
 use crate::model::{Model, Node};
 use crate::span::Span;
@@ -90,6 +91,10 @@ pub struct Evaluator<'m, D: Domain> {
     open: BTreeSet<Key>,
     trial: BTreeMap<(usize, usize), Value<D::Element>>,
     bound: Vec<(String, i64)>,
+    /// How many rows the next matrix should have where zeros of any shape leave that open.
+    wanted_rows: Option<usize>,
+    /// The matrices A of the systems that are Lyapunov equations A X + X A^T + Q = 0.
+    lyapunov: BTreeMap<usize, Matrix<D::Element>>,
     provider: Option<Box<Provider<'m, D::Element>>>,
     /// Letters that stand for something else while a function's body is evaluated: the symbols,
     /// and what was computed with them so.
@@ -125,6 +130,8 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             open: BTreeSet::new(),
             trial: BTreeMap::new(),
             bound: Vec::new(),
+            wanted_rows: None,
+            lyapunov: BTreeMap::new(),
             provider: None,
             replaced: Vec::new(),
             behind: BTreeMap::new(),
@@ -194,6 +201,11 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         let mut other = self.anew();
         other.letters = letters;
         other
+    }
+
+    /// The matrix A of a solved system that is a Lyapunov equation A X + X A^T + Q = 0.
+    pub fn lyapunov_matrix(&self, system: usize) -> Option<&Matrix<D::Element>> {
+        self.lyapunov.get(&system)
     }
 
     /// The model.
@@ -455,7 +467,17 @@ impl<'m, D: Domain> Evaluator<'m, D> {
     fn sum(&mut self, terms: &[(Sign, Expr)], span: Span) -> Result<Value<D::Element>, Failure> {
         let mut sum: Option<Value<D::Element>> = None;
         for (sign, term) in terms {
-            let value = self.expression(term)?;
+            let mut value = self.expression(term)?;
+            // A block of zeros of any shape, as in `[0; g] w`, has as many rows as the sum needs.
+            if let (Some(Value::Matrix(s)), Value::Matrix(m)) = (&sum, &value)
+                && s.rows() != m.rows()
+                && s.columns() == m.columns()
+            {
+                self.wanted_rows = Some(s.rows());
+                let fitted = self.expression(term);
+                self.wanted_rows = None;
+                value = fitted?;
+            }
             sum = Some(match (sum, sign) {
                 (None, Sign::Plus) => value,
                 (None, Sign::Minus) => value::negate(&self.field, &value),

@@ -453,6 +453,7 @@ impl<D: Domain> Evaluator<'_, D> {
         rows: &[Vec<Expr>],
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
+        let wanted = self.wanted_rows.take();
         let mut blocks = Vec::with_capacity(rows.len());
         for row in rows {
             let mut values = Vec::with_capacity(row.len());
@@ -480,13 +481,18 @@ impl<D: Domain> Evaluator<'_, D> {
                 format!("{} columns", row.len()),
             ));
         }
-        // Heights and widths of the blocks; a zero of any shape takes what its neighbours need, and
-        // is square where they leave a side open.
+        // Heights and widths of the blocks; a zero of any shape takes what its neighbours need, then
+        // what the other terms of a sum need, and is square where they leave a side open.
         let known_height = |i: usize| blocks[i].iter().find_map(|(v, _)| v.shape()).map(|s| s.0);
         let known_width = |j: usize| blocks.iter().find_map(|row| row[j].0.shape()).map(|s| s.1);
+        let others: usize = (0..blocks.len()).filter_map(known_height).sum();
+        let open = (0..blocks.len()).filter(|i| known_height(*i).is_none());
+        let left_open = wanted
+            .and_then(|wanted| wanted.checked_sub(others))
+            .filter(|rest| *rest > 0 && open.count() == 1);
         let height = |i: usize| {
             let square = || (0..columns).find_map(known_width);
-            known_height(i).or_else(square).unwrap_or(1)
+            known_height(i).or(left_open).or_else(square).unwrap_or(1)
         };
         let width = |j: usize| {
             let square = || (0..blocks.len()).find_map(known_height);

@@ -3,8 +3,9 @@
 //! The equation's two sides are evaluated with the unknowns at zero and at each unit, which gives
 //! the linear system whatever the equation looks like; the solution is then inserted, so that an
 //! equation that is not linear cannot pass. The shape of an unknown matrix is the one that fits.
-//! Where the equation is symmetric under transposition of its unknown, its unique solution is
-//! symmetric, and n (n + 1) / 2 unknowns do instead of n^2.
+//! Where the map is X -> A X + X A^T, however it is printed, the matrix polynomial of
+//! [`crate::theory::lyapunov`] gives the solution. Where the equation is symmetric under transposition
+//! of its unknown, its unique solution is symmetric, and n (n + 1) / 2 unknowns do instead of n^2.
 
 use super::{Condition, Evaluator, Failure, FailureKind, Origin, Value, value};
 use crate::domain::Domain;
@@ -12,6 +13,7 @@ use crate::expr::{Font, Name};
 use crate::matrix::Matrix;
 use crate::model::links::visit;
 use crate::span::Span;
+use crate::theory::error::TheoryError;
 use crate::theory::linear::{self, Solution};
 
 type Shape = (usize, usize);
@@ -30,10 +32,33 @@ impl<D: Domain> Evaluator<'_, D> {
         let model = self.model;
         let unknowns = &model.systems[system].unknowns;
         let shapes = self.unknown_shapes(system, unknowns, span)?;
-        let units = self.units(system, &shapes, span)?;
-        let result = self.solve_units(system, &shapes, &units, span);
-        self.trial.clear();
-        let (values, determinant) = result?;
+        let by_polynomial = match self.lyapunov_form(system, &shapes, span)? {
+            Some([a, q]) => {
+                let solved = match self.field.lyapunov(&a, &q) {
+                    Ok(found) => {
+                        Some((vec![Value::from_matrix(found.solution)], found.determinant))
+                    }
+                    Err(TheoryError::Budget) => {
+                        let what = "terms of the solution of a Lyapunov equation".into();
+                        return Err(Failure::new(FailureKind::Budget { what }, span));
+                    }
+                    // Which of the two, none or many, elimination tells.
+                    Err(_) => None,
+                };
+                self.lyapunov.insert(system, a);
+                solved
+            }
+            None => None,
+        };
+        let (values, determinant) = match by_polynomial {
+            Some(solved) => solved,
+            None => {
+                let units = self.units(system, &shapes, span)?;
+                let result = self.solve_units(system, &shapes, &units, span);
+                self.trial.clear();
+                result?
+            }
+        };
         for (position, value) in values.iter().enumerate() {
             self.trial.insert((system, position), value.clone());
         }
@@ -47,6 +72,72 @@ impl<D: Domain> Evaluator<'_, D> {
             origin: Origin::Determinant(model.systems[system].equation),
         });
         Ok(values)
+    }
+
+    /// The matrices A and Q of an equation A X + X A^T + Q = 0 for a matrix X, in whatever way it is
+    /// printed: A is read off from the images of the diagonal units, and the images of all units must
+    /// be those of that map.
+    fn lyapunov_form(
+        &mut self,
+        system: usize,
+        shapes: &[Shape],
+        span: Span,
+    ) -> Result<Option<[Matrix<D::Element>; 2]>, Failure> {
+        let [(n, columns)] = *shapes else {
+            return Ok(None);
+        };
+        if n != columns || n < 2 {
+            return Ok(None);
+        }
+        let mut image = |unit: &[(usize, usize, usize)]| {
+            self.set_trial(system, shapes, unit);
+            let values = self.residual_values(system, span);
+            self.trial.clear();
+            values.map(|values| match values.as_slice() {
+                [Value::Matrix(m)] if m.shape() == (n, n) => Some(m.clone()),
+                _ => None,
+            })
+        };
+        let Some(q) = image(&[])? else {
+            return Ok(None);
+        };
+        let mut images = Vec::with_capacity(n * n);
+        for k in 0..n * n {
+            let Some(with) = image(&[(0, k / n, k % n)])? else {
+                return Ok(None);
+            };
+            images.push(with);
+        }
+        let field = &self.field;
+        for image in &mut images {
+            *image = Matrix::from_fn(n, n, |i, j| field.subtract(&image[(i, j)], &q[(i, j)]));
+        }
+        let half = field.divide(&field.integer(1), &field.integer(2));
+        let Some(half) = half else { return Ok(None) };
+        let a = Matrix::from_fn(n, n, |i, j| {
+            let entry = &images[j * n + j][(i, j)];
+            if i == j {
+                field.multiply(&half, entry)
+            } else {
+                entry.clone()
+            }
+        });
+        // The image of the unit (r, s): column r of A in column s, and column s of A in row r.
+        let fits = (0..n * n).all(|k| {
+            let (r, s) = (k / n, k % n);
+            (0..n * n).all(|place| {
+                let (i, j) = (place / n, place % n);
+                let mut expected = field.integer(0);
+                if j == s {
+                    expected = field.add(&expected, &a[(i, r)]);
+                }
+                if i == r {
+                    expected = field.add(&expected, &a[(j, s)]);
+                }
+                images[k][(i, j)] == expected
+            })
+        });
+        Ok(fits.then_some([a, q]))
     }
 
     /// The scalar degrees of freedom: each a list of (unknown, row, column) that are one.
