@@ -5,6 +5,7 @@ use crate::check::Options;
 use crate::diagnostic::Rejection;
 use crate::input;
 use crate::inspection::Inspection;
+use crate::methods::Methods;
 use crate::paper::papers;
 use crate::progress::{INTERRUPTED_CODE, Terminal, Watch};
 use crate::report::output::{self, Pdf};
@@ -39,6 +40,8 @@ enum Commands {
     Check(Check),
     /// Show the whole reasoning for one equation.
     Explain(Explain),
+    /// Compare the floating-point methods: digits, operations, and where asked for time.
+    Methods(MethodsArguments),
     /// Write the figures only: an SVG for each, and its numbers as CSV.
     Figures(Figures),
 }
@@ -66,6 +69,15 @@ struct Figures {
 }
 
 #[derive(Debug, Args)]
+struct MethodsArguments {
+    /// Documents, or folders of documents; without any, the ones inside the program.
+    paths: Vec<PathBuf>,
+    /// Measure times too, as ratios; they are not the same twice.
+    #[arg(long)]
+    time: bool,
+}
+
+#[derive(Debug, Args)]
 struct Explain {
     /// The printed number, such as 61.
     equation: String,
@@ -88,6 +100,7 @@ pub fn main() -> ExitCode {
     let result = with_deep_stack(|| match arguments.command {
         Some(Commands::Explain(arguments)) => explain(&arguments, &watch),
         Some(Commands::Figures(arguments)) => figures(&arguments, &watch),
+        Some(Commands::Methods(arguments)) => methods(&arguments, &watch),
         Some(Commands::Check(arguments)) => check(&arguments, &watch),
         None => check(&arguments.check, &watch),
     });
@@ -174,6 +187,30 @@ fn check(arguments: &Check, watch: &Terminal) -> io::Result<u8> {
     }
     out.flush()?;
     Ok(exit_code(&inspections, rejected))
+}
+
+fn methods(arguments: &MethodsArguments, watch: &Terminal) -> io::Result<u8> {
+    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let mut out = io::stdout().lock();
+    let mut found = false;
+    for audit in &audits {
+        if let Some(methods) = Methods::of(audit, arguments.time) {
+            if found {
+                writeln!(out)?;
+            }
+            found = true;
+            let table = crate::report::methods::plain(&methods, arguments.time);
+            out.write_all(table.as_bytes())?;
+        }
+    }
+    if !found {
+        writeln!(
+            io::stderr(),
+            "error: no document names points and an output for its methods"
+        )?;
+        return Ok(3);
+    }
+    Ok(if rejected > 0 { 3 } else { 0 })
 }
 
 fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {

@@ -123,10 +123,7 @@ impl Comparison {
         let table = model.document.numeric.as_ref()?;
         let points = Point::of_table(model, table).ok()?;
         let mut exact = check::corrected(model, &audit.outcomes);
-        let corrections: BTreeMap<usize, Display> = exact
-            .corrections()
-            .map(|(equation, display)| (*equation, display.clone()))
-            .collect();
+        let corrections = corrections(&exact);
         let mut subjects = Vec::new();
         let mut prepared = Vec::new();
         for quantity in &table.quantities {
@@ -298,8 +295,36 @@ fn number(exact: &mut evaluate::Evaluator<'_, Symbolic>, expr: &Expr) -> Option<
     valued.then_some(value)
 }
 
+/// The corrected displays in the place of the printed ones.
+pub(crate) fn corrections(exact: &evaluate::Evaluator<'_, Symbolic>) -> BTreeMap<usize, Display> {
+    exact
+        .corrections()
+        .map(|(equation, display)| (*equation, display.clone()))
+        .collect()
+}
+
+/// A value for each letter of the ring at a point.
+pub(crate) fn exact_point(
+    model: &Model,
+    point: &Point<'_>,
+    abbreviations: &[(usize, RationalFunction)],
+) -> Vec<BigRational> {
+    let values = point.exact();
+    let letters = model.letters.iter().map(|letter| match letter {
+        Letter::Symbol { symbol, order: 0 } => values[*symbol].clone().unwrap_or_default(),
+        _ => BigRational::zero(),
+    });
+    let mut point: Vec<BigRational> = letters.collect();
+    for (letter, value) in abbreviations {
+        if let Ok(value) = value.evaluate(&point) {
+            point[*letter] = value;
+        }
+    }
+    point
+}
+
 /// The abbreviations' values in the declared symbols.
-fn abbreviations(
+pub(crate) fn abbreviations(
     model: &Model,
     exact: &mut evaluate::Evaluator<'_, Symbolic>,
 ) -> Vec<(usize, RationalFunction)> {
@@ -325,20 +350,7 @@ fn rows_at(
     corrections: &BTreeMap<usize, Display>,
     prepared: &[(Expr, Exact)],
 ) -> Vec<Row> {
-    let values = named.point.exact();
-    let mut point: Vec<BigRational> = model
-        .letters
-        .iter()
-        .map(|letter| match letter {
-            Letter::Symbol { symbol, order: 0 } => values[*symbol].clone().unwrap_or_default(),
-            _ => BigRational::zero(),
-        })
-        .collect();
-    for (letter, value) in abbreviations {
-        if let Ok(value) = value.evaluate(&point) {
-            point[*letter] = value;
-        }
-    }
+    let point = exact_point(model, &named.point, abbreviations);
     let mut resolver = named.point.clone();
     for (equation, display) in corrections {
         resolver = resolver.corrected(*equation, display.clone());

@@ -38,6 +38,7 @@ pub mod input;
 pub mod inspection;
 pub mod latex;
 pub mod matrix;
+pub mod methods;
 pub mod model;
 pub mod numeric;
 pub mod paper;

@@ -24,6 +24,10 @@ pub struct Numeric {
     pub points: Vec<Point>,
     /// What is computed at each of them, in LaTeX.
     pub quantities: Vec<Text>,
+    /// The named points at which the methods are compared.
+    pub methods: Vec<Text>,
+    /// The weights of the output whose variance they compute, in LaTeX.
+    pub output: Option<Text>,
     /// Where the table stands.
     pub span: Span,
 }
@@ -87,12 +91,26 @@ pub(super) fn numeric(entries: Entries, span: Span, report: &mut Vec<Diagnostic>
         .into_iter()
         .filter_map(|(name, value)| sample_range(name, value, scale, fields.report()))
         .collect();
-    let points = fields
+    let points: Vec<Point> = fields
         .table("points")
         .into_iter()
         .map(|(name, value)| point(name, value, fields.report()))
         .collect();
     let quantities = fields.texts("quantities");
+    let methods = fields.texts("methods");
+    let output = fields.text("output");
+    for unknown in methods.iter().filter(|m| {
+        let known = |p: &Point| p.name.text == m.text;
+        !points.iter().any(known)
+    }) {
+        fields.report().push(Diagnostic::new(
+            DiagnosticKind::UnknownWord {
+                word: unknown.text.clone(),
+                known: points.iter().map(|p: &Point| p.name.text.clone()).collect(),
+            },
+            unknown.span,
+        ));
+    }
     fields.finish();
     Numeric {
         seed,
@@ -101,6 +119,8 @@ pub(super) fn numeric(entries: Entries, span: Span, report: &mut Vec<Diagnostic>
         ranges,
         points,
         quantities,
+        methods,
+        output,
         span,
     }
 }

@@ -11,6 +11,7 @@ pub mod explain;
 pub mod formula;
 pub mod json;
 pub mod latex;
+pub mod methods;
 mod ordered;
 pub mod output;
 pub mod plain;

@@ -6,8 +6,10 @@ use super::printed::printed;
 use crate::comparison::{Comparison, Subject, Summary};
 use crate::document::Scale;
 use crate::inspection::Inspection;
+use crate::methods::Methods;
 use crate::numeric::LyapunovMethod;
 use crate::numeric::agreement::{MOST_DIGITS, nearest};
+use crate::report::methods::{cells, head, headline, title};
 use crate::report::prose::Prose;
 
 pub(super) fn write(tex: &mut Tex, inspection: &Inspection) {
@@ -21,6 +23,33 @@ pub(super) fn write(tex: &mut Tex, inspection: &Inspection) {
     words(tex, inspection, comparison);
     random(tex, inspection, comparison);
     named(tex, comparison);
+    methods(tex, inspection);
+}
+
+/// The methods side by side at the points that the document names for them.
+fn methods(tex: &mut Tex, inspection: &Inspection) {
+    let Some(found) = Methods::of(&inspection.audit, false) else {
+        return;
+    };
+    tex.paragraph(&Prose::of(format!(
+        "The variance of one output and the covariance matrix by each method: correct digits, of \
+         the matrix those of its worst entry, and floating-point operations. The simulation uses \
+         the seed {}.",
+        found.seed
+    )));
+    for at in &found.points {
+        tex.paragraph(&Prose::of(format!("At {}:", title(at))));
+        let head: Vec<String> = head(false).into_iter().map(escape).collect();
+        let rows: Vec<Vec<String>> = at
+            .rows
+            .iter()
+            .map(|row| cells(row, false).iter().map(|c| escape(c)).collect())
+            .collect();
+        tex.table(&[2.2, 1.4, 1.0, 1.2, 1.6], &head, &rows);
+        if let Some(line) = headline(at) {
+            tex.paragraph(&Prose::of(line).capitalised().words("."));
+        }
+    }
 }
 
 fn words(tex: &mut Tex, inspection: &Inspection, comparison: &Comparison) {
