@@ -1,5 +1,9 @@
 //! Random vibration by document: expectations, covariances, shapes, and what must be refuted.
 
+#[path = "random_vibration/covariance.rs"]
+mod covariance;
+#[path = "random_vibration/damage.rs"]
+mod damage;
 #[path = "random_vibration/expectation.rs"]
 mod expectation;
 #[path = "random_vibration/shapes.rs"]
