@@ -67,8 +67,6 @@ impl Curves {
 /// Evaluates the curves.
 pub(super) fn curves(source: &mut Source<'_>, written: &Written) -> Result<Curves, Obstacle> {
     let model = source.model;
-    let quantity = Quantity::of(source, &written.quantity)?;
-    let unit = quantity.unit(source);
     let letter = symbol(model, &written.axis.name)?;
     let mut values: Vec<Option<BigRational>> =
         model.symbols.iter().map(|s| s.value.clone()).collect();
@@ -76,8 +74,10 @@ pub(super) fn curves(source: &mut Source<'_>, written: &Written) -> Result<Curve
     for (name, value) in &written.at {
         let index = symbol(model, name)?;
         values[index] = Some(value.clone());
-        at.push((latex::canonical(&model.symbols[index].name), value.clone()));
+        at.push((index, value.clone()));
     }
+    let quantity = Quantity::of(source, &written.quantity, &at)?;
+    let unit = quantity.unit(source);
     let axis = &written.axis;
     let grid = match written.logarithmic[0] {
         true => grid::logarithmic(&axis.low, &axis.high, written.points),
@@ -127,7 +127,10 @@ pub(super) fn curves(source: &mut Source<'_>, written: &Written) -> Result<Curve
         logarithmic: written.logarithmic,
         grid,
         family: family.map(|(s, _)| (name_of(s), model.symbols[s].unit.clone())),
-        at,
+        at: at
+            .into_iter()
+            .map(|(s, value)| (name_of(s), value))
+            .collect(),
         curves,
     })
 }

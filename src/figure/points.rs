@@ -79,13 +79,29 @@ pub(super) struct Quantity<'m> {
 }
 
 impl<'m> Quantity<'m> {
-    /// Reads a quantity and evaluates it.
-    pub(super) fn of(source: &mut Source<'m>, text: &Text) -> Result<Self, Obstacle> {
+    /// Reads a quantity and evaluates it where these symbols have these values, so that one of them may
+    /// be an exponent.
+    pub(super) fn of(
+        source: &mut Source<'m>,
+        text: &Text,
+        at: &[(usize, BigRational)],
+    ) -> Result<Self, Obstacle> {
         let expr = readable(text)?;
-        let exact = &mut source.exact;
+        let model = source.model;
+        let mut letters: Vec<RationalFunction> = (0..model.letters.len())
+            .map(|letter| RationalFunction::variable(model.ring, letter))
+            .collect();
+        for (symbol, value) in at {
+            if let Some(letter) = model.letter_of_symbol(*symbol, 0) {
+                letters[letter] = RationalFunction::constant(model.ring, value.clone());
+            }
+        }
+        let mut exact = Evaluator::new(model, model.field(), letters);
         exact.keep_abbreviations = false;
+        for (equation, display) in source.exact.corrections() {
+            exact.correct(*equation, display.clone());
+        }
         let value = exact.expression(&expr);
-        exact.keep_abbreviations = true;
         let symbolic = match value {
             Ok(Value::Scalar(f)) => Some(f),
             Ok(other) => {

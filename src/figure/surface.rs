@@ -115,7 +115,7 @@ impl Surface {
 /// Evaluates a surface.
 pub(super) fn surface(source: &mut Source<'_>, written: &Written) -> Result<Surface, Obstacle> {
     let model = source.model;
-    let quantity = Quantity::of(source, &written.quantity)?;
+    let quantity = Quantity::of(source, &written.quantity, &[])?;
     let unit = quantity.unit(source);
     let Some(f) = quantity.symbolic.clone() else {
         let why = "the quantity is not a rational function of the letters";

@@ -20,7 +20,7 @@ fn lines(station: &Station) -> Vec<(Prose, f64, f64)> {
         lines.push((Prose::new().math(formula.text.clone()), wide * SIZE, SIZE));
     }
     for line in station.words.iter().flat_map(|w| wrapped(&w.text)) {
-        let wide = line.chars().count() as f64 * 0.46 * SMALL;
+        let wide = line.chars().count() as f64 * 0.54 * SMALL;
         lines.push((Prose::of(line), wide, SMALL));
     }
     lines

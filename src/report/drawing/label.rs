@@ -150,6 +150,16 @@ impl Writer {
                 self.expr(inner, level);
                 self.words(close, level);
             }
+            ExprKind::Tuple(items) => {
+                self.words("(", level);
+                for (k, item) in items.iter().enumerate() {
+                    if k > 0 {
+                        self.words(", ", level);
+                    }
+                    self.expr(item, level);
+                }
+                self.words(")", level);
+            }
             ExprKind::Transpose(inner) if level == Level::Line => {
                 self.operand(inner, level);
                 self.push("T", true, false, Level::Above);

@@ -209,26 +209,9 @@ pub fn remarks(surface: &Surface) -> Vec<Prose> {
     ]
 }
 
-/// The caption of curves.
+/// The caption of curves; the family is explained in the picture.
 pub fn curve_remarks(curves: &Curves) -> Vec<Prose> {
     let mut remarks = Vec::new();
-    if let Some((letter, unit)) = &curves.family {
-        let members = curves.curves.iter().filter_map(|curve| {
-            let value = curve.parameter.as_ref()?;
-            let name = curve.name.as_deref()?;
-            Some(Prose::of(format!("{name}: {}", with_unit(value, None))))
-        });
-        let unit = match unit.as_deref() {
-            None | Some("1") => String::new(),
-            Some(unit) => format!(" in {unit}"),
-        };
-        remarks.push(
-            Prose::new()
-                .math(letter.clone())
-                .words(format!("{unit}: "))
-                .then(Prose::joined(members, ", ")),
-        );
-    }
     if !curves.at.is_empty() {
         let at = curves.at.iter().map(|(name, value)| {
             Prose::new()
