@@ -189,13 +189,6 @@ pub enum DiagnosticKind {
         /// The value.
         value: String,
     },
-    /// A covariance of a system that has no stationary state.
-    Unstable {
-        /// The order of the first Hurwitz determinant that is not positive.
-        order: usize,
-        /// That determinant, at the reference values where there are such.
-        determinant: String,
-    },
     /// A unit that cannot be read.
     BadUnit {
         /// As written.

@@ -132,6 +132,13 @@ pub enum Flaw {
     Limit(Limit),
     /// The limit is taken elsewhere than at the printed argument.
     Elsewhere,
+    /// A covariance of a system that has no stationary state.
+    Unstable {
+        /// The order of the first Hurwitz determinant that is not positive.
+        order: usize,
+        /// That determinant, at the reference values where there are such.
+        determinant: String,
+    },
 }
 
 /// Why an equation is false.

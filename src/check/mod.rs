@@ -20,7 +20,7 @@ mod sides;
 mod statement;
 mod witness;
 
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::Diagnostic;
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
 use crate::expr::{ExprKind, Relation};
@@ -30,7 +30,7 @@ use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Letter, Model, Node, Role};
 use crate::theory::stability::hurwitz_determinants;
 use crate::verdict::statement::StatementOutcome;
-use crate::verdict::{Certificate, Outcome, Refutation, Verdict};
+use crate::verdict::{Certificate, Flaw, Outcome, Refutation, Verdict};
 use identity::Decision;
 use num_traits::Signed;
 use ratpoly::RationalFunction;
@@ -285,7 +285,12 @@ impl<'m> Checker<'m> {
         );
         match self.exact.value_of(key, span) {
             Ok(_) => {
-                self.require_stationary(system, span);
+                if let Some(flaw) = self.instability(system) {
+                    return Verdict::Refuted(Refutation {
+                        flaw: Some(flaw),
+                        ..Refutation::default()
+                    });
+                }
                 let unknowns = &model.systems[system].unknowns;
                 let names: Vec<String> = unknowns.iter().map(latex::canonical).collect();
                 Verdict::Definition {
@@ -314,29 +319,23 @@ impl<'m> Checker<'m> {
         order && plain(link.left) && plain(link.right)
     }
 
-    /// What is called a covariance and solves a Lyapunov equation must belong to a stable system; at
-    /// the reference point, or for all positive letters, its Hurwitz determinants say so.
-    fn require_stationary(&mut self, system: usize, span: crate::span::Span) {
+    /// What is called a covariance and solves a Lyapunov equation must belong to a stable system: at
+    /// the reference point, or for all positive letters, its Hurwitz determinants say whether it does.
+    fn instability(&mut self, system: usize) -> Option<Flaw> {
         let node = Node::Unknown {
             system,
             position: 0,
         };
         if !self.model.covariances().any(|(_, n, _)| n == node) {
-            return;
+            return None;
         }
-        let Some(matrix) = self.exact.lyapunov_matrix(system) else {
-            return;
-        };
-        let Ok(minors) = hurwitz_determinants(&self.exact.field, "A", matrix) else {
-            return;
-        };
+        let matrix = self.exact.lyapunov_matrix(system)?;
+        let minors = hurwitz_determinants(&self.exact.field, "A", matrix).ok()?;
         let all: Vec<usize> = self.inserted.keys().copied().collect();
         let definitions = self.insertion(&all).letters;
         let point = self.reference_point();
         for (k, minor) in minors.iter().enumerate() {
-            let Ok(minor) = minor.substitute(&definitions) else {
-                return;
-            };
+            let minor = minor.substitute(&definitions).ok()?;
             let letters = self.exact.field.letters(&minor);
             let known = letters.iter().all(|l| self.has_reference(*l));
             let (negative, value) = match minor.evaluate(&point) {
@@ -347,14 +346,13 @@ impl<'m> Checker<'m> {
                 }
             };
             if negative {
-                let kind = DiagnosticKind::Unstable {
+                return Some(Flaw::Unstable {
                     order: k + 1,
                     determinant: value,
-                };
-                self.diagnostics.push(Diagnostic::new(kind, span));
-                return;
+                });
             }
         }
+        None
     }
 
     /// Whether a function of positive letters is negative by the signs of its coefficients.

@@ -7,6 +7,7 @@
 use super::Checker;
 use super::identity::letters_of;
 use crate::verdict::{Given, GivenEntry, ResidualEntry};
+use num_traits::Zero;
 use ratpoly::{Budget, Polynomial, RationalFunction};
 use std::collections::BTreeSet;
 
@@ -64,7 +65,7 @@ impl Checker<'_> {
         let mut stated = Vec::new();
         for expr in &model.equations[equation].given {
             match self.exact.expression(expr) {
-                Ok(crate::evaluate::Value::Scalar(s)) if !s.is_zero() => {
+                Ok(crate::evaluate::Value::Scalar(s)) if !s.is_zero() && self.can_vanish(&s) => {
                     stated.push(s.numerator().clone());
                 }
                 _ => {}
@@ -81,6 +82,21 @@ impl Checker<'_> {
         Ok(self
             .divide(entries, basis.elements().to_vec(), &budget)
             .ok())
+    }
+
+    /// Whether the document's own numbers, or where it gives none the signs of its letters, leave room
+    /// for a hypothesis: from one that they contradict anything would follow.
+    fn can_vanish(&self, difference: &RationalFunction) -> bool {
+        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+        let Ok(inserted) = difference.substitute(&all.letters) else {
+            return false;
+        };
+        let letters = letters_of([&inserted]);
+        if letters.iter().all(|l| self.has_reference(*l)) {
+            let value = inserted.evaluate(&self.reference_point());
+            return value.is_ok_and(|v| v.is_zero());
+        }
+        !self.is_negative(&inserted) && !self.is_negative(&-inserted)
     }
 
     /// Writes each residual as a combination of the basis and keeps the elements that are used.

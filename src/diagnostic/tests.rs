@@ -202,13 +202,6 @@ fn every_kind_has_words() {
             "`m` is declared positive, but its value is -1",
         ),
         (
-            DiagnosticKind::Unstable {
-                order: 2,
-                determinant: "-3".into(),
-            },
-            "not stable, its Hurwitz determinant H_2 is -3",
-        ),
-        (
             DiagnosticKind::BadUnit {
                 unit: "ft".into(),
                 message: s(),

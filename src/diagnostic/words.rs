@@ -203,11 +203,6 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "not positive".into(),
             "correct the value, or leave out `positive`".into(),
         ),
-        DiagnosticKind::Unstable { order, determinant } => (
-            format!("no stationary covariance: the system is not stable, its Hurwitz determinant H_{order} is {determinant}"),
-            "not stable".into(),
-            "correct the values or the matrix, or leave out `covariance_of`".into(),
-        ),
         DiagnosticKind::BadUnit { unit, message } => (
             format!("{} is not a unit: {message}", quote(unit)),
             "not a unit".into(),

@@ -351,6 +351,11 @@ fn flawed(flaw: &Flaw) -> Prose {
         Flaw::Limit(Limit::To(value)) if value.is_zero() => Prose::of("it tends to zero"),
         Flaw::Limit(Limit::To(_)) => Prose::of("it tends to something else"),
         Flaw::Elsewhere => Prose::of("the printed argument is not where the limit is taken"),
+        Flaw::Unstable { order, determinant } => Prose::of(
+            "no stationary covariance: the system is not stable, its Hurwitz determinant ",
+        )
+        .math(format!("H_{order}"))
+        .words(format!(" is {determinant}")),
     }
 }
 
