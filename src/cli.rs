@@ -10,12 +10,12 @@ use crate::paper::papers;
 use crate::progress::{INTERRUPTED_CODE, Terminal, Watch};
 use crate::report::output::{self, Pdf};
 use crate::report::terminal::{self, Style};
-use crate::report::{explain, json};
+use crate::report::{errata, explain, json};
 use crate::stack::with_deep_stack;
 use crate::standing::exit_code;
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Re-derives published equations exactly: which hold, which only under a condition, and which
@@ -42,6 +42,8 @@ enum Commands {
     Explain(Explain),
     /// Compare the floating-point methods: digits, operations, and where asked for time.
     Methods(MethodsArguments),
+    /// Write what is false as an errata sheet, in Markdown or LaTeX.
+    Errata(ErrataArguments),
     /// Write the figures only: an SVG for each, and its numbers as CSV.
     Figures(Figures),
 }
@@ -78,6 +80,18 @@ struct MethodsArguments {
 }
 
 #[derive(Debug, Args)]
+struct ErrataArguments {
+    /// Documents, or folders of documents; without any, the ones inside the program.
+    paths: Vec<PathBuf>,
+    /// Write errata.md, errata.tex and, where TeX is installed, errata.pdf instead of printing.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print LaTeX instead of Markdown.
+    #[arg(long, conflicts_with = "out")]
+    latex: bool,
+}
+
+#[derive(Debug, Args)]
 struct Explain {
     /// The printed number, such as 61.
     equation: String,
@@ -99,6 +113,7 @@ pub fn main() -> ExitCode {
     let watch = Terminal::new();
     let result = with_deep_stack(|| match arguments.command {
         Some(Commands::Explain(arguments)) => explain(&arguments, &watch),
+        Some(Commands::Errata(arguments)) => errata(&arguments, &watch),
         Some(Commands::Figures(arguments)) => figures(&arguments, &watch),
         Some(Commands::Methods(arguments)) => methods(&arguments, &watch),
         Some(Commands::Check(arguments)) => check(&arguments, &watch),
@@ -174,19 +189,24 @@ fn check(arguments: &Check, watch: &Terminal) -> io::Result<u8> {
     }
     if let Some(folder) = &arguments.out {
         let pdf = output::write(folder, &inspections, &|| watch.stop())?;
-        let said = match pdf {
-            Pdf::Made(path) => format!("the report is {}", path.display()),
-            Pdf::NoTex => format!(
-                "no PDF was made: neither latexmk nor pdflatex is on the PATH; the report is {}",
-                folder.join("report.tex").display()
-            ),
-            Pdf::Failed(complaint) => format!("no PDF was made: {complaint}"),
-            Pdf::Stopped => "no PDF was made".to_string(),
-        };
-        writeln!(io::stderr(), "{said}")?;
+        told(pdf, "report", folder)?;
     }
     out.flush()?;
     Ok(exit_code(&inspections, rejected))
+}
+
+/// Says what became of the PDF of a text.
+fn told(pdf: Pdf, text: &str, folder: &Path) -> io::Result<()> {
+    let said = match pdf {
+        Pdf::Made(path) => format!("the {text} is {}", path.display()),
+        Pdf::NoTex => format!(
+            "no PDF was made: neither latexmk nor pdflatex is on the PATH; the {text} is {}",
+            folder.join(format!("{text}.tex")).display()
+        ),
+        Pdf::Failed(complaint) => format!("no PDF was made: {complaint}"),
+        Pdf::Stopped => "no PDF was made".to_string(),
+    };
+    writeln!(io::stderr(), "{said}")
 }
 
 fn methods(arguments: &MethodsArguments, watch: &Terminal) -> io::Result<u8> {
@@ -235,6 +255,23 @@ fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
         )?;
         return Ok(3);
     }
+    Ok(if rejected > 0 { 3 } else { 0 })
+}
+
+fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
+    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let documents: Vec<&Audit> = audits.iter().collect();
+    let sheets = errata::sheets(&documents);
+    let mut out = io::stdout().lock();
+    match &arguments.out {
+        None if arguments.latex => out.write_all(errata::latex(&sheets).as_bytes())?,
+        None => out.write_all(errata::markdown(&sheets).as_bytes())?,
+        Some(folder) => {
+            let made = output::errata(folder, &sheets, &|| watch.stop())?;
+            told(made, "errata", folder)?;
+        }
+    }
+    out.flush()?;
     Ok(if rejected > 0 { 3 } else { 0 })
 }
 

@@ -1,12 +1,20 @@
-//! What a slip changes numerically: the printed value over the true one at the reference point.
+//! What a slip changes numerically: the printed value over the true one, at the reference point and
+//! over the box around it.
 //!
-//! It is read off the exact witness of the refutation, which the checker takes at the reference
-//! values where these tell the sides apart, so that nothing is computed twice.
+//! The values at the reference point are read off the exact witness of the refutation, which the
+//! checker takes there where it tells the sides apart; the range over the box is that of the quotient
+//! of the sides, a rational function.
 
+use super::identity::{insert, letters_of};
+use super::statement::Ground;
+use super::{Checker, Options};
 use crate::model::{Letter, Model};
-use crate::verdict::{Outcome, Verdict};
+use crate::theory::algebraic::Algebraic;
+use crate::verdict::statement::Scope;
+use crate::verdict::{Correction, Outcome, ResidualEntry, Verdict};
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Zero};
+use ratpoly::RationalFunction;
 
 /// The two values of a false equation at the reference point.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,27 +53,12 @@ pub fn effect(model: &Model, outcome: &Outcome) -> Option<Effect> {
     if !scalar || !at_reference || refutation.missing.is_some() {
         return None;
     }
-    let equation = &model.equations[outcome.equation];
-    let link = equation.links.get(outcome.member - 1)?;
-    let (left, right) = (
-        link.left.find(&equation.display)?.span,
-        link.right.find(&equation.display)?.span,
-    );
     let (mut printed, mut correct) = (witness.left.clone(), witness.right.clone());
     let corrected = match correction {
         None => false,
         Some(correction) => {
-            let within = |side: crate::span::Span| {
-                correction
-                    .edits
-                    .iter()
-                    .all(|e| side.start <= e.span.start && e.span.end <= side.end)
-            };
-            match (within(left), within(right)) {
-                (true, false) => {}
-                (false, true) => std::mem::swap(&mut printed, &mut correct),
-                // The slip is not in one side of this link alone.
-                _ => return None,
+            if wrong_side(model, outcome, correction)? == Side::Right {
+                std::mem::swap(&mut printed, &mut correct);
             }
             true
         }
@@ -75,4 +68,118 @@ pub fn effect(model: &Model, outcome: &Outcome) -> Option<Effect> {
         correct,
         corrected,
     })
+}
+
+/// A side of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Before the sign.
+    Left,
+    /// Behind it.
+    Right,
+}
+
+/// The side that holds all of a correction's changes; none where the slip is not in one side of the
+/// link alone.
+pub fn wrong_side(model: &Model, outcome: &Outcome, correction: &Correction) -> Option<Side> {
+    let equation = &model.equations[outcome.equation];
+    let link = equation.links.get(outcome.member - 1)?;
+    let within = |place: crate::model::links::Place| {
+        let side = place.find(&equation.display)?.span;
+        let mut edits = correction.edits.iter();
+        Some(edits.all(|e| side.start <= e.span.start && e.span.end <= side.end))
+    };
+    match (within(link.left)?, within(link.right)?) {
+        (true, false) => Some(Side::Left),
+        (false, true) => Some(Side::Right),
+        _ => None,
+    }
+}
+
+/// How far a misprint takes a value from the true one.
+#[derive(Clone, Debug)]
+pub struct Change {
+    /// Values of the running indices.
+    pub indices: Vec<(String, i64)>,
+    /// Row and column from 1, for a matrix with more than one entry.
+    pub place: Option<(usize, usize)>,
+    /// Printed over correct, less one, at the reference values; none where a letter has none.
+    pub at_reference: Option<BigRational>,
+    /// The least and the largest value of the same over the box; equal where it is a constant.
+    pub range: Option<(Algebraic, Algebraic)>,
+}
+
+/// The box of [`Changes`]: its letters lie between these multiples of their reference values.
+pub const BOX: [(i64, i64); 2] = [(1, 2), (3, 2)];
+
+/// The effects of a model's misprints, with the definitions inserted.
+pub struct Changes<'m> {
+    model: &'m Model,
+    checker: Option<Checker<'m>>,
+    ground: Ground,
+}
+
+impl<'m> Changes<'m> {
+    /// Ready for the outcomes of this model.
+    pub fn of(model: &'m Model) -> Self {
+        Changes {
+            model,
+            checker: Checker::new(model, Options::default()).ok(),
+            ground: Ground::of(model),
+        }
+    }
+
+    /// What a misprint changes, entry by entry, as far as the true entry is not zero; empty where
+    /// nothing can be said.
+    pub fn by(&self, outcome: &Outcome) -> Vec<Change> {
+        let Verdict::Misprint {
+            refutation,
+            correction,
+        } = &outcome.verdict
+        else {
+            return Vec::new();
+        };
+        if refutation.missing.is_some() {
+            return Vec::new();
+        }
+        let Some(side) = wrong_side(self.model, outcome, correction) else {
+            return Vec::new();
+        };
+        let entries = refutation.residual.iter();
+        entries.filter_map(|e| self.change(e, side)).collect()
+    }
+
+    fn change(&self, entry: &ResidualEntry, wrong: Side) -> Option<Change> {
+        let checker = self.checker.as_ref()?;
+        let all: Vec<usize> = checker.inserted.keys().copied().collect();
+        let functions = self.model.functions.as_ref();
+        let inserted = insert(&[entry], &checker.insertion(&all), functions).ok()?;
+        let entry = inserted.into_iter().next()?;
+        let (printed, correct) = match wrong {
+            Side::Left => (&entry.left, &entry.right),
+            Side::Right => (&entry.right, &entry.left),
+        };
+        let quotient = printed.checked_div(correct).ok()?;
+        let change = quotient - RationalFunction::constant(self.model.ring, BigRational::one());
+        let letters = letters_of([&change]);
+        let plain = letters.iter().all(|l| checker.has_reference(*l));
+        let at_reference = plain.then(|| change.evaluate(&checker.reference_point()).ok());
+        let scaled =
+            |value: &BigRational, (n, d): (i64, i64)| value * BigRational::new(n.into(), d.into());
+        let sides = letters.iter().filter_map(|letter| {
+            let own = self.ground.reference(*letter)?;
+            Some((*letter, scaled(own, BOX[0]), scaled(own, BOX[1])))
+        });
+        let range = match change.as_constant() {
+            Some(constant) => Some((constant.clone().into(), constant.into())),
+            None if plain => self.ground.range(&change, &Scope::Box(sides.collect())),
+            None => None,
+        };
+        Some(Change {
+            indices: entry.indices,
+            place: entry.place,
+            at_reference: at_reference.flatten(),
+            range,
+        })
+    }
 }

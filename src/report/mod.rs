@@ -7,6 +7,7 @@
 pub mod csv;
 pub mod decimal;
 pub mod drawing;
+pub mod errata;
 pub mod explain;
 pub mod formula;
 pub mod json;

@@ -4,6 +4,7 @@ use crate::audit::Audit;
 use crate::inspection::Inspection;
 use crate::report::csv::csv;
 use crate::report::drawing::{scene, svg};
+use crate::report::errata::{self, Sheet};
 use crate::report::{json, latex, vectors};
 use std::fs;
 use std::io;
@@ -49,7 +50,25 @@ pub fn write(
     if stop() {
         return Ok(Pdf::Stopped);
     }
-    pdf(folder, &report)
+    pdf(folder, "report", &report)
+}
+
+/// Writes `errata.md`, `errata.tex` and, where TeX is installed, `errata.pdf`.
+///
+/// # Errors
+/// When the folder cannot be made or a file cannot be written.
+pub fn errata(folder: &Path, sheets: &[Sheet], stop: &dyn Fn() -> bool) -> io::Result<Pdf> {
+    fs::create_dir_all(folder)?;
+    let text = errata::latex(sheets);
+    replace(
+        &folder.join("errata.md"),
+        errata::markdown(sheets).as_bytes(),
+    )?;
+    replace(&folder.join("errata.tex"), text.as_bytes())?;
+    if stop() {
+        return Ok(Pdf::Stopped);
+    }
+    pdf(folder, "errata", &text)
 }
 
 /// Writes `quarter-car-figure-4.svg` for each figure of a document `quarter-car.md`, and where it
@@ -138,12 +157,12 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 
 /// Runs TeX in a folder of its own inside the output folder, without a shell to escape to and
 /// without leave to read or write elsewhere.
-fn pdf(folder: &Path, report: &str) -> io::Result<Pdf> {
+fn pdf(folder: &Path, name: &str, text: &str) -> io::Result<Pdf> {
     let work = folder.join(format!(".tex.{}.part", std::process::id()));
     fs::create_dir_all(&work)?;
-    let result = compiled(&work, report).and_then(|pdf| match pdf {
+    let result = compiled(&work, text).and_then(|pdf| match pdf {
         Pdf::Made(made) => {
-            let path = folder.join("report.pdf");
+            let path = folder.join(format!("{name}.pdf"));
             fs::rename(made, &path)?;
             Ok(Pdf::Made(path))
         }
@@ -153,8 +172,8 @@ fn pdf(folder: &Path, report: &str) -> io::Result<Pdf> {
     result
 }
 
-fn compiled(work: &Path, report: &str) -> io::Result<Pdf> {
-    fs::write(work.join("report.tex"), report)?;
+fn compiled(work: &Path, text: &str) -> io::Result<Pdf> {
+    fs::write(work.join("text.tex"), text)?;
     let common = [
         "-interaction=nonstopmode",
         "-halt-on-error",
@@ -164,7 +183,7 @@ fn compiled(work: &Path, report: &str) -> io::Result<Pdf> {
         Command::new(program)
             .args(arguments)
             .args(common)
-            .arg("report.tex")
+            .arg("text.tex")
             .current_dir(work)
             .env("SOURCE_DATE_EPOCH", "0")
             .env("FORCE_SOURCE_DATE", "1")
@@ -192,11 +211,11 @@ fn compiled(work: &Path, report: &str) -> io::Result<Pdf> {
         }
         Err(error) => return Err(error),
     };
-    let made = work.join("report.pdf");
+    let made = work.join("text.pdf");
     if succeeded && made.is_file() {
         return Ok(Pdf::Made(made));
     }
-    let log = fs::read(work.join("report.log")).unwrap_or_default();
+    let log = fs::read(work.join("text.log")).unwrap_or_default();
     let log = String::from_utf8_lossy(&log);
     let complaint = log.lines().find(|line| line.starts_with('!'));
     Ok(Pdf::Failed(complaint.unwrap_or("TeX stopped").to_string()))

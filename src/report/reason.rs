@@ -89,7 +89,8 @@ fn positive(positivity: &Positivity) -> Prose {
     }
 }
 
-fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
+/// The same without hypotheses and instances.
+pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
     if let Some(positivity) = &outcome.positivity {
         return positive(positivity);
     }
@@ -230,7 +231,8 @@ pub fn place(entry: &ResidualEntry) -> Prose {
     place_of(entry.place, &entry.indices)
 }
 
-fn place_of(place: Option<(usize, usize)>, indices: &[(String, i64)]) -> Prose {
+/// The same for a place and indices.
+pub fn place_of(place: Option<(usize, usize)>, indices: &[(String, i64)]) -> Prose {
     let mut parts: Vec<Prose> = indices
         .iter()
         .map(|(name, value)| Prose::new().math(format!("{name} = {value}")))

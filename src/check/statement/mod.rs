@@ -18,8 +18,8 @@ use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Value};
 use crate::expr::Expr;
 use crate::functions::FunctionLetter;
-use crate::model::Letter;
 use crate::model::statement::Proposition;
+use crate::model::{Letter, Model};
 use crate::unit::{self, Units};
 use crate::verdict::statement::{Fact, Scope, SignCertificate, StatementOutcome, Subject};
 use num_rational::BigRational;
@@ -88,7 +88,7 @@ impl Checker<'_> {
         if model.statements.is_empty() {
             return Vec::new();
         }
-        let ground = self.ground();
+        let ground = Ground::of(model);
         let (mut units, _) = unit::audit(model);
         let mut outcomes = Vec::new();
         for (index, statement) in model.statements.iter().enumerate() {
@@ -119,29 +119,6 @@ impl Checker<'_> {
             }
         }
         outcomes
-    }
-
-    fn ground(&self) -> Ground {
-        let model = self.model;
-        let letters = (0..model.symbols.len())
-            .map(|symbol| model.letter_of_symbol(symbol, 0))
-            .collect();
-        let reference = model
-            .letters
-            .iter()
-            .map(|letter| match letter {
-                Letter::Symbol { symbol, order: 0 } => model.symbols[*symbol].value.clone(),
-                _ => None,
-            })
-            .collect();
-        Ground {
-            ring: model.ring,
-            reference,
-            positive: (0..model.letters.len())
-                .filter(|l| model.is_positive(*l))
-                .collect(),
-            letters,
-        }
     }
 
     /// A scalar quantity in the declared symbols, with the letters inserted that the proposition
@@ -249,6 +226,34 @@ impl Checker<'_> {
 }
 
 impl Ground {
+    /// The reference value of a letter.
+    pub(super) fn reference(&self, letter: usize) -> Option<&BigRational> {
+        self.reference[letter].as_ref()
+    }
+
+    /// The ground that a model's symbols give.
+    pub(super) fn of(model: &Model) -> Ground {
+        let letters = (0..model.symbols.len())
+            .map(|symbol| model.letter_of_symbol(symbol, 0))
+            .collect();
+        let reference = model
+            .letters
+            .iter()
+            .map(|letter| match letter {
+                Letter::Symbol { symbol, order: 0 } => model.symbols[*symbol].value.clone(),
+                _ => None,
+            })
+            .collect();
+        Ground {
+            ring: model.ring,
+            reference,
+            positive: (0..model.letters.len())
+                .filter(|l| model.is_positive(*l))
+                .collect(),
+            letters,
+        }
+    }
+
     /// The letters that occur in a function.
     fn letters_in(&self, f: &RationalFunction) -> Vec<usize> {
         super::identity::letters_of([f]).into_iter().collect()

@@ -15,7 +15,7 @@ type Side = (usize, BigRational, BigRational);
 
 impl Ground {
     /// The range of a function over a box; none where it is out of reach.
-    pub(super) fn range(
+    pub(in crate::check) fn range(
         &self,
         f: &RationalFunction,
         scope: &Scope,

@@ -49,6 +49,7 @@ fn is_in_font(c: char) -> bool {
 
 fn special(c: char) -> Option<&'static str> {
     Some(match c {
+        'ᵀ' => "\\textsuperscript{T}",
         '\\' => "\\textbackslash{}",
         '{' => "\\{",
         '}' => "\\}",

@@ -9,7 +9,7 @@ mod equations;
 pub mod escape;
 mod figures;
 mod floating;
-mod preamble;
+pub(crate) mod preamble;
 pub mod printed;
 mod results;
 mod statements;
@@ -60,6 +60,11 @@ pub(crate) struct Tex {
 }
 
 impl Tex {
+    /// The whole text.
+    pub(crate) fn finish(self) -> String {
+        self.text
+    }
+
     fn push(&mut self, text: &str) {
         self.text.push_str(text);
     }

@@ -5,7 +5,8 @@ use crate::inspection::Inspection;
 use crate::report::drawing::MACROS;
 use crate::report::json::sha256;
 
-const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
+/// The class, the packages and the macros for formulas.
+pub(crate) const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
 \usepackage{lmodern}
