@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Limits on what a computation may use. Steps are counted across all calls that share the budget;
 /// terms and bits limit each polynomial that arises.
 ///
-/// A budget is passed by reference. A step is about one product of two coefficients.
+/// A budget is passed by reference. A step is about one product of two coefficients of a word or two; longer
+/// ones count as many as there are products of words, by fours.
 #[derive(Debug)]
 pub struct Budget {
     terms: usize,
@@ -49,6 +50,13 @@ impl Budget {
     /// The steps spent so far.
     pub fn spent(&self) -> u64 {
         self.spent.load(Ordering::Relaxed)
+    }
+
+    /// The steps of `count` products of integers of so many bits.
+    pub(crate) fn products(count: u64, bits: u64, other_bits: u64) -> u64 {
+        let words = |bits: u64| 1 + bits / 64;
+        let each = words(bits).saturating_mul(words(other_bits)).div_ceil(4);
+        count.saturating_mul(each)
     }
 
     /// Counts `steps` more steps.

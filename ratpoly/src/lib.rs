@@ -114,6 +114,7 @@ mod factor;
 mod gcd;
 mod groebner;
 mod ideal;
+mod integer_gcd;
 mod karatsuba;
 mod layout;
 mod limbs;

@@ -49,7 +49,8 @@ pub(crate) fn multiply<M: PackedMonomial>(
     if !exponents_fit(shorter, longer, layout) {
         return Err(Failure::Layout);
     }
-    budget.spend((shorter.len() as u64).saturating_mul(longer.len() as u64))?;
+    let count = (shorter.len() as u64).saturating_mul(longer.len() as u64);
+    budget.spend(Budget::products(count, shorter.bits(), longer.bits()))?;
     // A coefficient of the product is a sum of at most `shorter.len()` products.
     let carry = u64::from(usize::BITS - (shorter.len() - 1).leading_zeros());
     let bits = shorter.bits() + longer.bits() + carry;

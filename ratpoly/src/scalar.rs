@@ -1,6 +1,7 @@
 //! Integers that are worked on, outside of the kernels: contents, factors, constants.
 
 use crate::coefficient::Value;
+use crate::integer_gcd::integer_gcd;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::ToPrimitive;
@@ -93,7 +94,7 @@ impl Scalar {
                 // 2^127 is the one magnitude that does not fit.
                 i128::try_from(gcd).map_or_else(|_| BigInt::from(gcd).into(), Scalar::Small)
             }
-            (a, b) => a.value().to_big().gcd(&b.to_big()).into(),
+            (a, b) => integer_gcd(&a.value().to_big(), &b.to_big()).into(),
         }
     }
 

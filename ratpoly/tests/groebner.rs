@@ -300,6 +300,29 @@ fn budgets_stop_the_search() {
     assert_eq!(few, Err(Error::BudgetExceeded(Resource::Steps)));
 }
 
+/// Few and short polynomials of which the lexicographic basis has coefficients of thousands of digits on the
+/// way: the steps count the length of the coefficients, so that they run out in a fraction of a second and not
+/// the patience of the caller.
+#[test]
+fn long_coefficients_are_paid_for() {
+    let ring = Ring::new(["x", "y", "z"], Order::Lex).unwrap();
+    let texts = [
+        "17*x^2 - 31*x*y + 42*x*z - 8*y^2 + 29*y*z - 13*z^2 + 5*x - 44*y + 37*z - 19",
+        "-23*x^2 + 11*x*y + 9*x*z + 35*y^2 - 48*y*z + 26*z^2 - 14*x + 3*y - 41*z + 7",
+        "39*x^2 + 45*x*y - 12*x*z - 21*y^2 + 16*y*z + 33*z^2 + 28*x - 36*y + 10*z - 47",
+    ];
+    let generators = parse(ring, &texts);
+    let steps = Err(Error::BudgetExceeded(Resource::Steps));
+    for limit in [0, 1_000_000, 100_000_000] {
+        let budget = Budget::new(usize::MAX, u64::MAX, limit);
+        let found = GroebnerBasis::new(ring, &generators, &budget);
+        assert_eq!(found.map(|_| ()), steps);
+        let budget = Budget::new(usize::MAX, u64::MAX, limit);
+        let found = GroebnerBasis::with_cofactors(ring, &generators, &budget);
+        assert_eq!(found.map(|_| ()), steps);
+    }
+}
+
 fn small(ring: Ring) -> impl Strategy<Value = Polynomial> {
     let term = (prop::collection::vec(0u32..3, 3), -3i32..4);
     prop::collection::vec(term, 0..4).prop_map(move |terms| {

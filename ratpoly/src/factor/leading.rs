@@ -2,6 +2,7 @@
 //!
 //! P. S. Wang, *An improved multivariate polynomial factoring algorithm*, 1978.
 
+use crate::integer_gcd::integer_gcd;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -25,7 +26,7 @@ pub(super) fn distribute(
             std::iter::once(content).chain(values[..marks.len()].iter().map(|(value, _)| value))
         {
             loop {
-                let common = mark.gcd(other);
+                let common = integer_gcd(&mark, other);
                 if common.is_one() || mark.is_zero() {
                     break;
                 }

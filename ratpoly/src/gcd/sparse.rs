@@ -13,7 +13,6 @@
 //! sparse polynomial GCD algorithm*, 2016.
 
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_traits::{One, Zero};
 
 use super::images::Images;
@@ -21,6 +20,7 @@ use super::view::Views;
 use super::{Common, common, common_divisor, common_from_prime, prs};
 use crate::budget::Budget;
 use crate::error::Error;
+use crate::integer_gcd::integer_gcd;
 use crate::modular::{ChineseRemainder, PrimeField, two_adic_primes};
 use crate::polynomial::Polynomial;
 
@@ -240,7 +240,7 @@ impl Plan {
             if content.is_one() {
                 break;
             }
-            content = content.gcd(value);
+            content = integer_gcd(&content, value);
         }
         let mut terms = Vec::with_capacity(values.len() + self.gamma.len());
         let extreme = if self.leading { support.degree } else { 0 };

@@ -3,14 +3,14 @@
 //! Niesi, Robbiano, Traverso 1991). Coefficients are integers without a common factor.
 
 use super::order::BlockOrder;
-use super::reduce::{Reduction, Terms, combine, make_primitive, reduce};
+use super::reduce::{Terms, combine, make_primitive, reduce};
 use crate::budget::Budget;
 use crate::error::Error;
+use crate::integer_gcd::integer_gcd;
 use crate::monomial::Monomial;
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_traits::{One, Zero};
 
 /// How an element of the ideal comes from its generators:
@@ -85,7 +85,8 @@ pub(crate) fn groebner_basis(
         state.insert(input)?;
     }
     while let Some(pair) = state.next_pair() {
-        budget.spend(1)?;
+        // The pair was searched for, and its outcome is compared with all elements.
+        budget.spend((state.pairs.len() + state.elements.len()) as u64)?;
         let spoly = state.s_polynomial(&pair)?;
         state.insert(spoly)?;
     }
@@ -112,7 +113,7 @@ impl Buchberger<'_> {
     fn s_polynomial(&self, pair: &Pair) -> Result<Element, Error> {
         let (f, g) = (&self.elements[pair.i], &self.elements[pair.j]);
         let ((m, c), (n, d)) = (&f.terms[0], &g.terms[0]);
-        let common = c.gcd(d);
+        let common = integer_gcd(c, d);
         let (a, b) = (d / &common, -(c / &common));
         let shift = |m| pair.lcm.checked_div(m).expect("a factor of the lcm");
         let (u, v) = (shift(m), shift(n));
@@ -178,20 +179,27 @@ impl Buchberger<'_> {
             .filter(|&&i| Some(i) != except)
             .map(|&i| (i, self.elements[i].terms.as_slice()))
             .collect();
-        let Reduction {
-            multiplier,
-            mut steps,
-            remainder,
-        } = reduce(self.order, element.terms, &divisors, true, self.budget)?;
+        let reduction = reduce(self.order, element.terms, &divisors, self.budget)?;
         let mut sugar = element.sugar;
-        for (i, shift, c) in &mut steps {
-            sugar = sugar.max(self.elements[*i].sugar + shift.total_degree());
-            *c = -&*c;
+        for step in &reduction.steps {
+            sugar = sugar.max(self.elements[step.index].sugar + step.shift.total_degree());
         }
-        let origin = if remainder.is_empty() {
-            None
+        let (remainder, origin) = if self.trace.is_none() || reduction.remainder.is_empty() {
+            (reduction.remainder, None)
         } else {
-            self.combine_origins(&steps, &multiplier, element.origin.as_ref())?
+            let (identity, remainder) = reduction.into_identity();
+            let negative = identity.quotients.into_iter().map(|(i, m, c)| (i, m, -c));
+            let origin = self.combine_origins(
+                &negative.collect::<Vec<_>>(),
+                &identity.multiplier,
+                element.origin.as_ref(),
+            )?;
+            // That is the origin of `scale * remainder`.
+            let origin = origin.map(|mut origin| {
+                origin.multiplier *= identity.scale;
+                origin
+            });
+            (remainder, origin)
         };
         Ok(Element {
             terms: remainder,
@@ -275,9 +283,9 @@ pub(crate) fn combine_cofactors(
     summands: &[(Polynomial, &Origin)],
     budget: &Budget,
 ) -> Result<Origin, Error> {
-    let multiplier = summands
-        .iter()
-        .fold(BigInt::one(), |l, (_, o)| l.lcm(&o.multiplier));
+    let multiplier = summands.iter().fold(BigInt::one(), |l, (_, o)| {
+        &l / integer_gcd(&l, &o.multiplier) * &o.multiplier
+    });
     let count = summands.first().map_or(0, |s| s.1.cofactors.len());
     let mut cofactors = vec![Polynomial::zero(ring); count];
     for (factor, origin) in summands {
@@ -305,7 +313,7 @@ impl Origin {
                 return;
             }
             if !cofactor.is_zero() {
-                common = common.gcd(&cofactor.content());
+                common = integer_gcd(&common, &cofactor.content());
             }
         }
         if common.is_one() || common.is_zero() {

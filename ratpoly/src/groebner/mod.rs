@@ -14,11 +14,11 @@ pub(crate) use reduce::Terms;
 
 use crate::budget::Budget;
 use crate::error::Error;
+use crate::integer_gcd::integer_gcd;
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 use buchberger::{Origin, combine_cofactors};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_traits::{One, Zero};
 
 /// The reduced Gröbner basis of an ideal in the order of its ring: each element is primitive with a
@@ -188,9 +188,10 @@ pub fn normal_form(
     let lists: Vec<Terms> = divisors.iter().map(|d| d.terms().collect()).collect();
     let indexed: Vec<_> = lists.iter().map(Vec::as_slice).enumerate().collect();
     let order = BlockOrder::new([(ring.len(), ring.order())]);
-    let reduction = reduce::reduce(&order, f.terms().collect(), &indexed, true, budget)?;
+    let reduction = reduce::reduce(&order, f.terms().collect(), &indexed, budget)?;
+    let (identity, remainder) = reduction.into_identity();
     let mut quotients: Vec<Terms> = vec![Vec::new(); divisors.len()];
-    for (i, m, c) in reduction.steps {
+    for (i, m, c) in identity.quotients {
         quotients[i].push((m, c));
     }
     let cofactors = quotients
@@ -198,9 +199,9 @@ pub fn normal_form(
         .map(|q| Polynomial::from_terms(ring, q))
         .collect::<Result<_, _>>()?;
     let mut form = NormalForm {
-        multiplier: reduction.multiplier,
+        multiplier: identity.multiplier,
         cofactors,
-        remainder: Polynomial::from_terms(ring, reduction.remainder)?,
+        remainder: Polynomial::from_terms(ring, remainder)?.mul_integer(&identity.scale),
     };
     form.cancel();
     Ok(form)
@@ -226,7 +227,7 @@ impl NormalForm {
         let mut common = self.multiplier.clone();
         for part in self.cofactors.iter().chain([&self.remainder]) {
             if !part.is_zero() {
-                common = common.gcd(&part.content());
+                common = integer_gcd(&common, &part.content());
             }
         }
         if self.multiplier < BigInt::zero() {

@@ -5,18 +5,64 @@
 use super::order::BlockOrder;
 use crate::budget::Budget;
 use crate::error::Error;
+use crate::integer_gcd::integer_gcd;
 use crate::monomial::Monomial;
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 
 pub(crate) type Terms = Vec<(Monomial, BigInt)>;
 
-/// `multiplier f = sum of coefficient * monomial * divisor[index] over the steps + remainder`.
+/// What was done with a dividend: its steps in order, and what is left, on a scale of its own.
 pub(crate) struct Reduction {
-    pub(crate) multiplier: BigInt,
-    pub(crate) steps: Vec<(usize, Monomial, BigInt)>,
+    pub(crate) steps: Vec<Step>,
     pub(crate) remainder: Terms,
+}
+
+/// `rest := (multiplier * rest - coefficient * shift * divisor[index]) / content`.
+pub(crate) struct Step {
+    pub(crate) index: usize,
+    pub(crate) shift: Monomial,
+    coefficient: BigInt,
+    multiplier: BigInt,
+    content: BigInt,
+}
+
+/// `multiplier f = sum of coefficient * monomial * divisor[index] over the quotients + scale * remainder`.
+pub(crate) struct Identity {
+    pub(crate) multiplier: BigInt,
+    pub(crate) quotients: Vec<(usize, Monomial, BigInt)>,
+    pub(crate) scale: BigInt,
+}
+
+impl Reduction {
+    /// The steps on one common scale, with the remainder that they leave.
+    pub(crate) fn into_identity(self) -> (Identity, Terms) {
+        // Before a step the dividend was so many times what was then left.
+        let mut scale = BigInt::one();
+        let mut quotients: Vec<(usize, Monomial, BigInt)> = Vec::with_capacity(self.steps.len());
+        let mut multipliers: Vec<BigInt> = Vec::with_capacity(self.steps.len());
+        for step in self.steps {
+            quotients.push((step.index, step.shift, step.coefficient * &scale));
+            multipliers.push(step.multiplier);
+            if !step.content.is_one() {
+                scale *= step.content;
+            }
+        }
+        // Each step was multiplied by the multipliers of all later ones.
+        let mut multiplier = BigInt::one();
+        for (quotient, later) in quotients.iter_mut().zip(multipliers).rev() {
+            if !multiplier.is_one() {
+                quotient.2 *= &multiplier;
+            }
+            multiplier *= later;
+        }
+        let identity = Identity {
+            multiplier,
+            quotients,
+            scale,
+        };
+        (identity, self.remainder)
+    }
 }
 
 /// `a f + b x^shift g`.
@@ -48,85 +94,149 @@ pub(crate) fn combine(
 /// Divides by the content and makes the leading coefficient positive; returns the signed content, zero
 /// for no terms.
 pub(crate) fn make_primitive(terms: &mut Terms) -> BigInt {
-    let mut content = BigInt::zero();
-    for (_, c) in terms.iter() {
-        content = content.gcd(c);
-        if content.is_one() {
-            break;
-        }
-    }
+    let mut content = content(terms.iter().map(|t| &t.1), BigInt::zero());
     if terms.first().is_some_and(|t| t.1.is_negative()) {
         content = -content;
     }
-    if !content.is_one() && !content.is_zero() {
-        for (_, c) in terms.iter_mut() {
-            *c = &*c / &content;
+    divide(terms.iter_mut().map(|t| &mut t.1), &content);
+    content
+}
+
+/// The nonnegative greatest common divisor of the integers and another one.
+fn content<'a>(integers: impl Iterator<Item = &'a BigInt>, mut content: BigInt) -> BigInt {
+    for c in integers {
+        if content.is_one() {
+            break;
         }
+        content = integer_gcd(&content, c);
     }
     content
 }
 
-/// A term of a reduction costs about so many steps for each word of its coefficient: monomials and
-/// coefficients are made anew.
-const TERM_STEPS: u64 = 8;
+fn divide<'a>(integers: impl Iterator<Item = &'a mut BigInt>, content: &BigInt) {
+    if !content.is_one() && !content.is_zero() {
+        integers.for_each(|c| *c = &*c / content);
+    }
+}
 
-/// Reduces until no term (with `tail`) or not the leading term (without) is divisible by the leading
-/// monomial of a divisor. Among several the first divisor is taken. Divisors are `(index, terms)`.
+/// A term of a reduction costs about so many steps, however short its coefficient: monomials and
+/// coefficients are made anew.
+const TERM_STEPS: u64 = 32;
+
+/// The gcd of two integers costs about as much as so many products of theirs.
+const GCD_PRODUCTS: u64 = 4;
+
+fn bits<'a>(terms: impl IntoIterator<Item = &'a (Monomial, BigInt)>) -> u64 {
+    terms.into_iter().map(|t| t.1.bits()).max().unwrap_or(0)
+}
+
+/// Terms that no divisor reduces. Their coefficients lag behind: the multipliers of later steps are still to
+/// be applied.
+#[derive(Default)]
+struct Settled {
+    /// With the number of multipliers that do not concern the term.
+    terms: Vec<(usize, Monomial, BigInt)>,
+    multipliers: Vec<BigInt>,
+}
+
+impl Settled {
+    fn push(&mut self, monomial: Monomial, coefficient: BigInt) {
+        self.terms
+            .push((self.multipliers.len(), monomial, coefficient));
+    }
+
+    fn catch_up(&mut self, budget: &Budget) -> Result<(), Error> {
+        let mut product = BigInt::one();
+        let mut place = self.multipliers.len();
+        for (since, _, c) in self.terms.iter_mut().rev() {
+            for multiplier in self.multipliers[*since..place].iter().rev() {
+                product *= multiplier;
+            }
+            place = *since;
+            *since = 0;
+            if !product.is_one() {
+                budget.spend(Budget::products(1, c.bits(), product.bits()))?;
+                *c *= &product;
+            }
+        }
+        self.multipliers.clear();
+        Ok(())
+    }
+}
+
+/// Reduces until no term is divisible by the leading monomial of a divisor. Among several the first divisor
+/// is taken. Divisors are `(index, terms)`.
+///
+/// The multipliers of the steps pile up in the coefficients, mostly as a common factor, which is taken out
+/// whenever the multipliers since the last time are as long as the coefficients were then.
 pub(crate) fn reduce(
     order: &BlockOrder,
     terms: Terms,
     divisors: &[(usize, &[(Monomial, BigInt)])],
-    tail: bool,
     budget: &Budget,
 ) -> Result<Reduction, Error> {
-    // The scale of the remaining terms at each step; those already moved out lag behind.
-    let mut factors: Vec<BigInt> = Vec::new();
-    let mut steps: Vec<(usize, Monomial, BigInt)> = Vec::new();
-    let mut settled: Vec<(usize, Monomial, BigInt)> = Vec::new();
+    let mut steps: Vec<Step> = Vec::new();
+    let mut settled = Settled::default();
     let mut rest = terms.into_iter();
+    let (mut piled, mut allowed) = (0, SPARE_BITS);
     while let Some((m, c)) = rest.as_slice().first() {
         let found = divisors
             .iter()
             .find_map(|&(i, g)| Some((i, g, m.checked_div(&g[0].0)?)));
         let Some((index, g, shift)) = found else {
-            if !tail {
-                break;
-            }
+            budget.spend(divisors.len() as u64)?;
             if let Some((m, c)) = rest.next() {
-                settled.push((factors.len(), m, c));
+                settled.push(m, c);
             }
             continue;
         };
         let lead = &g[0].1;
-        let common = lead.gcd(c);
-        let (a, b) = (lead / &common, c / &common);
-        let words = 1 + (lead.bits() + c.bits()) / 64;
-        budget.spend(TERM_STEPS * words * (rest.len() + g.len()) as u64)?;
+        let common = integer_gcd(lead, c);
+        let (multiplier, coefficient) = (lead / &common, c / &common);
+        let (n, m) = (rest.len() as u64, g.len() as u64);
+        let cost = [
+            TERM_STEPS * (n + m) + divisors.len() as u64,
+            Budget::products(GCD_PRODUCTS, lead.bits(), c.bits()),
+            Budget::products(n, multiplier.bits(), bits(rest.as_slice())),
+            Budget::products(m, coefficient.bits(), bits(g)),
+        ];
+        budget.spend(cost.into_iter().fold(0, u64::saturating_add))?;
         rest.next();
-        let sum = combine(order, (&a, rest), (&-&b, &shift, &g[1..]))?;
+        let mut sum = combine(
+            order,
+            (&multiplier, rest),
+            (&-&coefficient, &shift, &g[1..]),
+        )?;
         budget.check_terms(sum.len())?;
         budget.check_bits(sum.first().map_or(0, |t| t.1.bits()))?;
+        let mut removed = BigInt::one();
+        piled += multiplier.bits();
+        settled.multipliers.push(multiplier.clone());
+        if piled > allowed && !sum.is_empty() {
+            settled.catch_up(budget)?;
+            // One true gcd; the other coefficients are mostly multiples of what it found.
+            let (count, longest) = (sum.len() + settled.terms.len(), bits(&sum));
+            let products = count as u64 + GCD_PRODUCTS;
+            budget.spend(Budget::products(products, longest, longest))?;
+            removed = content(sum.iter().map(|t| &t.1), BigInt::zero());
+            removed = content(settled.terms.iter().map(|t| &t.2), removed);
+            divide(sum.iter_mut().map(|t| &mut t.1), &removed);
+            divide(settled.terms.iter_mut().map(|t| &mut t.2), &removed);
+            (piled, allowed) = (0, bits(&sum) + SPARE_BITS);
+        }
         rest = sum.into_iter();
-        factors.push(a);
-        steps.push((index, shift, b));
+        steps.push(Step {
+            index,
+            shift,
+            coefficient,
+            multiplier,
+            content: removed,
+        });
     }
-    // What was recorded before step k has still to be multiplied by the factors of steps k, k + 1, ...
-    let mut product = BigInt::one();
-    let mut remainder: Terms = rest.rev().collect();
-    let mut settled = settled.into_iter().rev().peekable();
-    for k in (0..=factors.len()).rev() {
-        while let Some((_, m, c)) = settled.next_if(|s| s.0 == k) {
-            remainder.push((m, c * &product));
-        }
-        if k > 0 {
-            steps[k - 1].2 *= &product;
-            product *= &factors[k - 1];
-        }
-    }
-    remainder.reverse();
-    Ok(Reduction {
-        multiplier: product,
-        steps,
-        remainder,
-    })
+    settled.catch_up(budget)?;
+    let remainder = settled.terms.into_iter().map(|(_, m, c)| (m, c)).collect();
+    Ok(Reduction { steps, remainder })
 }
+
+/// So many bits may pile up in any case: below that, taking them out costs more than they.
+const SPARE_BITS: u64 = 256;

@@ -5,6 +5,7 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use super::PrimeField;
+use crate::integer_gcd::integer_gcd;
 
 /// A vector of integers known modulo a growing product of primes, held as the residues of least absolute
 /// value (Garner's mixed-radix step, one prime at a time).
@@ -77,7 +78,11 @@ pub fn rational_reconstruction(a: &BigInt, m: &BigInt) -> Option<(BigInt, BigInt
         let next = s0 - quotient * &s1;
         (s0, s1) = (s1, next);
     }
-    if s1.is_zero() || s1.abs() > bound || !r1.gcd(&s1).is_one() || !s1.gcd(m).is_one() {
+    if s1.is_zero()
+        || s1.abs() > bound
+        || !integer_gcd(&r1, &s1).is_one()
+        || !integer_gcd(&s1, m).is_one()
+    {
         return None;
     }
     if s1.is_negative() {

@@ -3,9 +3,9 @@
 
 use crate::budget::Budget;
 use crate::error::Error;
+use crate::integer_gcd::integer_gcd;
 use crate::polynomial::{Polynomial, check_dense_degree};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
@@ -36,7 +36,7 @@ pub(crate) fn trim(f: &mut Vec<BigInt>) {
 pub(crate) fn make_primitive(f: &mut [BigInt]) {
     let mut content = BigInt::zero();
     for c in f.iter() {
-        content = content.gcd(c);
+        content = integer_gcd(&content, c);
         if content.is_one() {
             return;
         }
@@ -57,7 +57,7 @@ pub(crate) fn positive_remainder(f: &[BigInt], g: &[BigInt]) -> Vec<BigInt> {
     let lead = &g[g.len() - 1];
     while rest.len() >= g.len() {
         let top = rest.pop().expect("not empty");
-        let common = top.gcd(lead);
+        let common = integer_gcd(&top, lead);
         let (mut a, mut b) = (lead / &common, top / &common);
         if a.is_negative() {
             (a, b) = (-a, -b);

@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
+use crate::integer_gcd::integer_gcd;
 use crate::modular::PrimeField;
 
 /// Removes leading zeros.
@@ -54,7 +55,7 @@ pub fn div_exact(f: &[BigInt], g: &[BigInt]) -> Option<Vec<BigInt>> {
 pub fn content(f: &[BigInt]) -> BigInt {
     let mut content = BigInt::zero();
     for c in f {
-        content = content.gcd(c);
+        content = integer_gcd(&content, c);
         if content.is_one() {
             break;
         }
