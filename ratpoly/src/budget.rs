@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// terms and bits limit each polynomial that arises.
 ///
 /// A budget is passed by reference. A step is about one product of two coefficients of a word or two; longer
-/// ones count as many as there are products of words, by fours.
+/// ones count as many as there are products of words, by twos.
 #[derive(Debug)]
 pub struct Budget {
     terms: usize,
@@ -55,7 +55,7 @@ impl Budget {
     /// The steps of `count` products of integers of so many bits.
     pub(crate) fn products(count: u64, bits: u64, other_bits: u64) -> u64 {
         let words = |bits: u64| 1 + bits / 64;
-        let each = words(bits).saturating_mul(words(other_bits)).div_ceil(4);
+        let each = words(bits).saturating_mul(words(other_bits)).div_ceil(2);
         count.saturating_mul(each)
     }
 

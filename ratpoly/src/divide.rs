@@ -2,7 +2,7 @@
 
 use crate::budget::Budget;
 use crate::divide_heap::{Outcome, divide};
-use crate::error::Error;
+use crate::error::{Error, Resource};
 use crate::monomial::Monomial;
 use crate::polynomial::{Polynomial, layout_of};
 use crate::ring::Ring;
@@ -12,25 +12,46 @@ use num_bigint::BigInt;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+static UNLIMITED: Budget = Budget::unlimited();
+
 impl Polynomial {
     /// The quotient if `divisor` divides; `None` if it does not or is zero.
     ///
     /// # Panics
     /// If the operands belong to different rings.
     pub fn div_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
-        if self.ring != divisor.ring {
-            panic!("{}", Error::RingMismatch);
-        }
+        self.div_exact_within(divisor, &UNLIMITED)
+            .unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// The quotient if `divisor` divides, within a budget: few terms may have a quotient of millions, as
+    /// `x^1000000 - 1` by `x - 1`.
+    pub fn div_exact_within(
+        &self,
+        divisor: &Polynomial,
+        budget: &Budget,
+    ) -> Result<Option<Polynomial>, Error> {
+        self.check_ring(divisor)?;
         // A divisor with greater exponents than the dividend does not divide; both are canonical.
         if divisor.is_zero() || (!self.is_zero() && divisor.terms.kind() > self.terms.kind()) {
-            return None;
+            return Ok(None);
         }
-        same_layout!(self.ring, &self.terms, &divisor.terms, a, b => {
-            match divide(a, b, layout_of(a, self.ring)) {
-                Outcome::Quotient(list) => Some(self.with(list)),
-                Outcome::NotDivisible => None,
+        let length = divisor.len() as u64;
+        let left = budget.steps().saturating_sub(budget.spent()) / length;
+        let most = usize::try_from(left).unwrap_or(usize::MAX);
+        let most = most.min(budget.terms());
+        let quotient = same_layout!(self.ring, &self.terms, &divisor.terms, a, b => {
+            match divide(a, b, layout_of(a, self.ring), most) {
+                Outcome::Quotient(list) => self.with(list),
+                Outcome::NotDivisible => return Ok(None),
+                Outcome::TooLong => {
+                    budget.check_terms(most.saturating_add(1))?;
+                    return Err(Error::BudgetExceeded(Resource::Steps));
+                }
             }
-        })
+        });
+        budget.spend(length.saturating_mul(quotient.len() as u64))?;
+        Ok(Some(quotient))
     }
 
     /// Whether `self` divides `other`. Zero divides only zero.

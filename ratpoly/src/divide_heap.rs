@@ -18,13 +18,16 @@ use std::collections::BinaryHeap;
 pub(crate) enum Outcome<M> {
     Quotient(TermList<M>),
     NotDivisible,
+    /// The quotient, if there is one, has more terms than allowed.
+    TooLong,
 }
 
-/// The quotient of two lists, the divisor not empty, if it divides.
+/// The quotient of two lists, the divisor not empty, if it divides and has at most `most` terms.
 pub(crate) fn divide<M: PackedMonomial>(
     dividend: &TermList<M>,
     divisor: &TermList<M>,
     layout: &Layout,
+    most: usize,
 ) -> Outcome<M> {
     if dividend.len() == 0 {
         return Outcome::Quotient(TermList::new());
@@ -39,16 +42,13 @@ pub(crate) fn divide<M: PackedMonomial>(
         && !matches!(dividend, TermList::Big(_))
     {
         let source = |k: usize| dividend.get(k).map(|(m, c)| (m, small(c)));
-        match exact::<M, i64, i128>(source, divisor, layout) {
-            Ok(Some(list)) => return Outcome::Quotient(list),
-            Ok(None) => return Outcome::NotDivisible,
-            Err(Overflow) => {}
+        if let Ok(outcome) = exact::<M, i64, i128>(source, divisor, layout, most) {
+            return outcome;
         }
     }
     let source = |k: usize| dividend.get(k).map(|(m, c)| (m, c.to_big()));
-    match exact::<M, BigInt, BigInt>(source, &divisor.to_big(), layout) {
-        Ok(Some(list)) => Outcome::Quotient(list),
-        Ok(None) => Outcome::NotDivisible,
+    match exact::<M, BigInt, BigInt>(source, &divisor.to_big(), layout, most) {
+        Ok(outcome) => outcome,
         Err(Overflow) => unreachable!("unbounded integers do not overflow"),
     }
 }
@@ -182,12 +182,13 @@ impl<M: Ord> PartialEq for Pending<M> {
 
 impl<M: Ord> Eq for Pending<M> {}
 
-/// The quotient in one width; `None` if the divisor does not divide.
+/// The quotient in one width.
 fn exact<'a, M: PackedMonomial, C: Coefficient, R: Rest<C>>(
     dividend: impl Fn(usize) -> Option<(&'a M, R)>,
     divisor: &[Term<M, C>],
     layout: &Layout,
-) -> Result<Option<TermList<M>>, Overflow> {
+    most: usize,
+) -> Result<Outcome<M>, Overflow> {
     let lead = &divisor[0];
     let product = |a: &Term<M, C>, b: &Term<M, C>| a.monomial.product(&b.monomial);
     let mut quotient: Vec<Term<M, C>> = Vec::new();
@@ -204,10 +205,10 @@ fn exact<'a, M: PackedMonomial, C: Coefficient, R: Rest<C>>(
             .peek()
             .is_some_and(|pending| pending.monomial.overflows(layout))
         {
-            return Ok(None);
+            return Ok(Outcome::NotDivisible);
         }
         let monomial = match (&head, heap.peek()) {
-            (None, None) => return Ok(Some(list)),
+            (None, None) => return Ok(Outcome::Quotient(list)),
             (Some((m, _)), Some(pending)) => (*m).max(&pending.monomial).clone(),
             (Some((m, _)), None) => (*m).clone(),
             (None, Some(pending)) => pending.monomial.clone(),
@@ -250,11 +251,14 @@ fn exact<'a, M: PackedMonomial, C: Coefficient, R: Rest<C>>(
             continue;
         }
         let Some(m) = monomial.quotient(&lead.monomial, layout) else {
-            return Ok(None);
+            return Ok(Outcome::NotDivisible);
         };
         let Some(c) = rest.quotient(&lead.coefficient)? else {
-            return Ok(None);
+            return Ok(Outcome::NotDivisible);
         };
+        if quotient.len() == most {
+            return Ok(Outcome::TooLong);
+        }
         R::append_quotient(&c, m.clone(), &mut list);
         quotient.push(Term {
             monomial: m,

@@ -43,7 +43,8 @@ impl RationalFunction {
         let (numerator, denominator) = parser.sum()?;
         parser.skip_space();
         match parser.peek() {
-            None => RationalFunction::new(numerator, denominator),
+            None => RationalFunction::new_within(numerator, denominator, &parser.budget)
+                .map_err(|_| parser.error(ParseErrorKind::TooLarge)),
             Some(')') => Err(parser.error(ParseErrorKind::UnbalancedBracket)),
             Some(_) => Err(parser.error(ParseErrorKind::UnexpectedCharacter)),
         }

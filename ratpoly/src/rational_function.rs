@@ -23,13 +23,22 @@ pub struct RationalFunction {
 impl RationalFunction {
     /// The quotient of two polynomials, reduced.
     pub fn new(numerator: Polynomial, denominator: Polynomial) -> Result<Self, Error> {
+        Self::new_within(numerator, denominator, &UNLIMITED)
+    }
+
+    /// The quotient of two polynomials, reduced within a budget.
+    pub fn new_within(
+        numerator: Polynomial,
+        denominator: Polynomial,
+        budget: &Budget,
+    ) -> Result<Self, Error> {
         if numerator.ring() != denominator.ring() {
             return Err(Error::RingMismatch);
         }
         if denominator.is_zero() {
             return Err(Error::DivisionByZero);
         }
-        let (numerator, denominator) = cancel(&numerator, &denominator)?;
+        let (numerator, denominator) = cancel(&numerator, &denominator, budget)?;
         Ok(RationalFunction::from_coprime(numerator, denominator))
     }
 
@@ -144,7 +153,7 @@ impl RationalFunction {
             return Ok(Self::from_coprime(sum, b.try_mul(&e)?));
         }
         // Only a factor of g can be left between the sum and the denominator g b e.
-        let (sum, g) = cancel(&sum, &g)?;
+        let (sum, g) = cancel(&sum, &g, &UNLIMITED)?;
         Ok(Self::from_coprime(sum, g.try_mul(&b)?.try_mul(&e)?))
     }
 
@@ -162,8 +171,8 @@ impl RationalFunction {
         if b.is_one() && d.is_one() {
             return Ok(a.try_mul(c)?.into());
         }
-        let (a, d) = cancel(a, d)?;
-        let (c, b) = cancel(c, b)?;
+        let (a, d) = cancel(a, d, &UNLIMITED)?;
+        let (c, b) = cancel(c, b, &UNLIMITED)?;
         Ok(Self::from_coprime(a.try_mul(&c)?, b.try_mul(&d)?))
     }
 
@@ -207,7 +216,7 @@ impl RationalFunction {
         // With e = b / gcd(b, b'): (a/b)' = (a' e - a b' e / b) / (b e).
         let (a, b) = self.parts();
         let slope = b.derivative(variable);
-        let (e, slope) = cancel(b, &slope)?;
+        let (e, slope) = cancel(b, &slope, &UNLIMITED)?;
         let top = a
             .derivative(variable)
             .try_mul(&e)?
@@ -338,11 +347,15 @@ impl From<Polynomial> for RationalFunction {
 static UNLIMITED: Budget = Budget::unlimited();
 
 /// Both polynomials without their common factor.
-fn cancel(f: &Polynomial, g: &Polynomial) -> Result<(Polynomial, Polynomial), Error> {
+fn cancel(
+    f: &Polynomial,
+    g: &Polynomial,
+    budget: &Budget,
+) -> Result<(Polynomial, Polynomial), Error> {
     if f.is_one() || g.is_one() {
         return Ok((f.clone(), g.clone()));
     }
-    let Cofactors { first, second, .. } = gcd_cofactors_within(f, g, &UNLIMITED)?;
+    let Cofactors { first, second, .. } = gcd_cofactors_within(f, g, budget)?;
     Ok((first, second))
 }
 

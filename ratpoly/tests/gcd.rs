@@ -453,6 +453,34 @@ fn budgets_are_kept() {
     );
 }
 
+/// Few terms of which the quotient has a thousand million: the budget stops the division, not the memory.
+#[test]
+fn long_quotients_are_paid_for() {
+    let ring = ring(2, Order::Lex);
+    let (f, g) = (poly(ring, "a^1000000000 + 1"), poly(ring, "a - 1"));
+    let h = &f - Polynomial::constant(ring, 2);
+    let terms = Err(Error::BudgetExceeded(Resource::Terms));
+    for f in [&f, &h] {
+        assert_eq!(gcd_within(f, &g, &Budget::default()), terms);
+        let quotient = f.div_exact_within(&g, &Budget::default());
+        assert_eq!(quotient.map(|_| ()), terms.clone().map(|_| ()));
+    }
+    let steps = Budget::new(usize::MAX, u64::MAX, 1000);
+    assert_eq!(
+        h.div_exact_within(&g, &steps),
+        Err(Error::BudgetExceeded(Resource::Steps))
+    );
+    let (f, g) = (poly(ring, "a^10 - b^10"), poly(ring, "a - b"));
+    assert_eq!(
+        f.div_exact_within(&g, &Budget::new(10, 1, 20)),
+        Ok(f.div_exact(&g))
+    );
+    let short = f.div_exact_within(&g, &Budget::new(9, 1, 20));
+    assert_eq!(short, Err(Error::BudgetExceeded(Resource::Terms)));
+    let zero = Polynomial::zero(ring);
+    assert_eq!(f.div_exact_within(&zero, &Budget::default()), Ok(None));
+}
+
 #[test]
 fn rings_do_not_mix() {
     let (f, g) = (

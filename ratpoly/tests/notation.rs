@@ -109,3 +109,27 @@ proptest! {
         let _ = Polynomial::parse(ring(), &text);
     }
 }
+
+/// A few characters that denote a polynomial of a thousand million terms, or reduce to one.
+#[test]
+fn quotients_that_are_too_long() {
+    let ring = Ring::new(["x", "y"], Order::Lex).unwrap();
+    for text in [
+        "(x^1000000000 - 1)/(x - 1)",
+        "(x^1000000000 + 1)/(x - 1)",
+        "1/(x^1000000000 - 1) + 1/(x - 1)",
+        "(x^1000000000 - y^1000000000)/(x^2 - y^2)",
+    ] {
+        let found = RationalFunction::parse(ring, text).unwrap_err();
+        assert!(
+            matches!(
+                found,
+                Error::Parse {
+                    kind: ParseErrorKind::TooLarge,
+                    ..
+                }
+            ),
+            "{text}: {found}"
+        );
+    }
+}

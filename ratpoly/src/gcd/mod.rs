@@ -77,14 +77,14 @@ pub fn gcd_cofactors_within(
         Some(quotients) => quotients,
         None if gcd.is_one() => (f.clone(), g.clone()),
         None => {
-            let divide = |p: &Polynomial| {
+            let divide = |p: &Polynomial| -> Result<Polynomial, Error> {
                 if p.is_zero() {
-                    p.clone()
-                } else {
-                    exact(p, &gcd)
+                    return Ok(p.clone());
                 }
+                let quotient = p.div_exact_within(&gcd, budget)?;
+                Ok(quotient.expect("a known divisor"))
             };
-            (divide(f), divide(g))
+            (divide(f)?, divide(g)?)
         }
     };
     Ok(Cofactors { gcd, first, second })
@@ -240,8 +240,8 @@ fn primitive_common(
         for (which, other) in [(0, 1), (1, 0)] {
             let span = |which: usize, v: usize| extent(which, v).high - extent(which, v).low;
             if (0..n).all(|v| span(which, v) <= span(other, v))
-                && let Some(found) =
-                    common_divisor(polynomials, &primitive_part(polynomials[which]), other)
+                && let candidate = primitive_part(polynomials[which])
+                && let Some(found) = common_divisor(polynomials, &candidate, other, budget)?
             {
                 return Ok(Some(found));
             }
@@ -267,8 +267,8 @@ fn primitive_common(
     // An operand may divide the other.
     for (which, other) in [(0, 1), (1, 0)] {
         if views.degrees[which] == bounds
-            && let Some(found) =
-                common_divisor(polynomials, &primitive_part(polynomials[which]), other)
+            && let candidate = primitive_part(polynomials[which])
+            && let Some(found) = common_divisor(polynomials, &candidate, other, budget)?
         {
             return Ok(Some(found));
         }
@@ -282,15 +282,20 @@ fn common_divisor(
     operands: [&Polynomial; 2],
     candidate: &Polynomial,
     first: usize,
-) -> Option<Common> {
-    let asked = operands[first].div_exact(candidate)?;
-    let other = operands[1 - first].div_exact(candidate)?;
+    budget: &Budget,
+) -> Result<Option<Common>, Error> {
+    let Some(asked) = operands[first].div_exact_within(candidate, budget)? else {
+        return Ok(None);
+    };
+    let Some(other) = operands[1 - first].div_exact_within(candidate, budget)? else {
+        return Ok(None);
+    };
     let (p, q) = if first == 0 {
         (asked, other)
     } else {
         (other, asked)
     };
-    Some(if candidate.leading_coefficient().is_negative() {
+    Ok(Some(if candidate.leading_coefficient().is_negative() {
         Common {
             gcd: -candidate,
             quotients: Some((-p, -q)),
@@ -300,7 +305,7 @@ fn common_divisor(
             gcd: candidate.clone(),
             quotients: Some((p, q)),
         }
-    })
+    }))
 }
 
 /// The polynomial without its integer and monomial content.

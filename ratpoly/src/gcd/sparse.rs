@@ -103,7 +103,7 @@ fn sparse_gcd_modulo(
             continue;
         }
         let candidate = plan.candidate(views, support, remainder.values(), bounds, budget)?;
-        if let Some(found) = common_divisor(views.polynomials(), &candidate, 0) {
+        if let Some(found) = common_divisor(views.polynomials(), &candidate, 0, budget)? {
             return finish(found, views, bounds, first + number + 1, budget);
         }
         // One prime may have shown residues of larger coefficients (2⁶³ is small modulo a prime just below

@@ -33,7 +33,7 @@ pub(super) fn common_without(
         if combined.len() == 1 {
             return Ok(None);
         }
-        if let Some(found) = common_divisor(operands, &combined, 0) {
+        if let Some(found) = common_divisor(operands, &combined, 0, budget)? {
             return Ok(Some(found));
         }
         for polynomial in &rest {
@@ -47,7 +47,7 @@ pub(super) fn common_without(
         return Ok(None);
     }
     Ok(Some(
-        common_divisor(operands, &candidate, 0).expect("it divides all coefficients"),
+        common_divisor(operands, &candidate, 0, budget)?.expect("it divides all coefficients"),
     ))
 }
 

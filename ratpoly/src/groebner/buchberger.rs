@@ -3,7 +3,7 @@
 //! Niesi, Robbiano, Traverso 1991). Coefficients are integers without a common factor.
 
 use super::order::BlockOrder;
-use super::reduce::{Terms, combine, make_primitive, reduce};
+use super::reduce::{GCD_PRODUCTS, Terms, combine, make_primitive, reduce};
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::integer_gcd::integer_gcd;
@@ -187,7 +187,7 @@ impl Buchberger<'_> {
         let (remainder, origin) = if self.trace.is_none() || reduction.remainder.is_empty() {
             (reduction.remainder, None)
         } else {
-            let (identity, remainder) = reduction.into_identity();
+            let (identity, remainder) = reduction.into_identity(self.budget)?;
             let negative = identity.quotients.into_iter().map(|(i, m, c)| (i, m, -c));
             let origin = self.combine_origins(
                 &negative.collect::<Vec<_>>(),
@@ -296,6 +296,12 @@ pub(crate) fn combine_cofactors(
             }
         }
     }
+    // The contents: one true gcd, then mostly divisions; again when the element becomes primitive.
+    let lengths = cofactors.iter().map(|c| c.len() as u64).sum::<u64>();
+    let bits = cofactors.iter().map(Polynomial::coefficient_bits).max();
+    let bits = bits.unwrap_or(0).max(multiplier.bits());
+    let products = 2 * (lengths + summands.len() as u64 * GCD_PRODUCTS);
+    budget.spend(Budget::products(products, bits, multiplier.bits()))?;
     let mut origin = Origin {
         multiplier,
         cofactors,
@@ -312,8 +318,11 @@ impl Origin {
             if common.is_one() {
                 return;
             }
-            if !cofactor.is_zero() {
-                common = integer_gcd(&common, &cofactor.content());
+            for (_, c) in cofactor.terms() {
+                common = integer_gcd(&common, &c);
+                if common.is_one() {
+                    break;
+                }
             }
         }
         if common.is_one() || common.is_zero() {

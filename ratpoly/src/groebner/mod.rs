@@ -189,7 +189,7 @@ pub fn normal_form(
     let indexed: Vec<_> = lists.iter().map(Vec::as_slice).enumerate().collect();
     let order = BlockOrder::new([(ring.len(), ring.order())]);
     let reduction = reduce::reduce(&order, f.terms().collect(), &indexed, budget)?;
-    let (identity, remainder) = reduction.into_identity();
+    let (identity, remainder) = reduction.into_identity(budget)?;
     let mut quotients: Vec<Terms> = vec![Vec::new(); divisors.len()];
     for (i, m, c) in identity.quotients {
         quotients[i].push((m, c));

@@ -36,7 +36,7 @@ pub(crate) struct Identity {
 
 impl Reduction {
     /// The steps on one common scale, with the remainder that they leave.
-    pub(crate) fn into_identity(self) -> (Identity, Terms) {
+    pub(crate) fn into_identity(self, budget: &Budget) -> Result<(Identity, Terms), Error> {
         // Before a step the dividend was so many times what was then left.
         let mut scale = BigInt::one();
         let mut quotients: Vec<(usize, Monomial, BigInt)> = Vec::with_capacity(self.steps.len());
@@ -52,6 +52,7 @@ impl Reduction {
         let mut multiplier = BigInt::one();
         for (quotient, later) in quotients.iter_mut().zip(multipliers).rev() {
             if !multiplier.is_one() {
+                budget.spend(Budget::products(1, quotient.2.bits(), multiplier.bits()))?;
                 quotient.2 *= &multiplier;
             }
             multiplier *= later;
@@ -61,7 +62,7 @@ impl Reduction {
             quotients,
             scale,
         };
-        (identity, self.remainder)
+        Ok((identity, self.remainder))
     }
 }
 
@@ -124,7 +125,7 @@ fn divide<'a>(integers: impl Iterator<Item = &'a mut BigInt>, content: &BigInt) 
 const TERM_STEPS: u64 = 32;
 
 /// The gcd of two integers costs about as much as so many products of theirs.
-const GCD_PRODUCTS: u64 = 4;
+pub(crate) const GCD_PRODUCTS: u64 = 4;
 
 fn bits<'a>(terms: impl IntoIterator<Item = &'a (Monomial, BigInt)>) -> u64 {
     terms.into_iter().map(|t| t.1.bits()).max().unwrap_or(0)
