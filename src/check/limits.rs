@@ -7,13 +7,14 @@
 use super::Checker;
 use super::edit::{Address, Replacement};
 use crate::evaluate::{Failure, FailureKind, Value};
-use crate::expr::{Display, Expr, ExprKind, Name, Relation};
-use crate::functions::Impossible;
+use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
+use crate::functions::{FunctionTable, Impossible};
 use crate::model::links::{Link, Place, children_mut};
 use crate::model::names::Resolved;
 use crate::theory::limit::{Limit, Towards, limit};
 use crate::verdict::{Correction, EditClass, Flaw, Refutation, ResidualEntry, Verdict};
 use num_traits::Zero;
+use ratpoly::RationalFunction;
 
 /// Where a display says that a letter goes.
 struct Approach {
@@ -121,7 +122,14 @@ impl Checker<'_> {
         let missing = || Failure::unsupported("a link without its sides", Default::default());
         let left = link.left.find(display).ok_or_else(missing)?;
         let right = link.right.find(display).ok_or_else(missing)?;
-        let infinite = right.kind == ExprKind::Infinity;
+        let infinite = match &right.kind {
+            ExprKind::Infinity => Some(Sign::Plus),
+            ExprKind::Sum(terms) => match &terms[..] {
+                [(sign, term)] if term.kind == ExprKind::Infinity => Some(*sign),
+                _ => None,
+            },
+            _ => None,
+        };
         let mut moving = left.clone();
         if let Some(approach) = approach {
             let mut elsewhere = false;
@@ -146,28 +154,31 @@ impl Checker<'_> {
                     ..
                 }) => Limit::Infinite,
                 Err(failure) => return Err(failure),
-                Ok(Value::Scalar(value)) => match (approach, &self.model.functions) {
-                    (Some(approach), Some(table)) => {
+                Ok(Value::Scalar(value)) => match approach {
+                    Some(approach) => {
                         let letter = self.model.letter_of_symbol(approach.symbol, 0);
                         let letter = letter.ok_or_else(missing)?;
-                        limit(table, &value, letter, approach.towards)
+                        let table = self.table();
+                        let value = self.spelt_out(&table, &value).ok_or_else(missing)?;
+                        limit(&table, &value, letter, approach.towards)
                             .map_err(|why: Impossible| Failure::impossible(why, left.span))?
                     }
-                    _ => Limit::To(value),
+                    None => Limit::To(value),
                 },
                 Ok(_) => return Err(Failure::unsupported("a limit of a matrix", left.span)),
             };
-            let right_value = if infinite {
-                None
-            } else {
-                match self.exact.expression(right)? {
-                    Value::Scalar(value) => Some(value),
-                    _ => return Err(Failure::unsupported("this limit", right.span)),
+            let agrees = match (&found, infinite) {
+                (Limit::Infinite, Some(Sign::Plus)) | (Limit::MinusInfinite, Some(Sign::Minus)) => {
+                    true
                 }
-            };
-            let agrees = match (&found, &right_value) {
-                (Limit::Infinite, None) => true,
-                (Limit::To(l), Some(r)) => l == r,
+                (Limit::To(found), None) => match self.exact.expression(right)? {
+                    Value::Scalar(printed) => {
+                        let table = self.table();
+                        let printed = self.spelt_out(&table, &printed).ok_or_else(missing)?;
+                        self.spelt_out(&table, found).ok_or_else(missing)? == printed
+                    }
+                    _ => return Err(Failure::unsupported("this limit", right.span)),
+                },
                 _ => false,
             };
             if !agrees && wrong.is_none() {
@@ -178,6 +189,26 @@ impl Checker<'_> {
                 return Ok(wrong);
             }
         }
+    }
+
+    /// The functions of the document, or none.
+    fn table(&self) -> FunctionTable {
+        let model = self.model;
+        let positive = || (0..model.letters.len()).map(|l| model.is_positive(l));
+        match &model.functions {
+            Some(table) => table.clone(),
+            None => FunctionTable::new(model.ring, positive().collect()),
+        }
+    }
+
+    /// With all definitions inserted: a letter may go to its limit behind one of them.
+    fn spelt_out(
+        &self,
+        table: &FunctionTable,
+        value: &RationalFunction,
+    ) -> Option<RationalFunction> {
+        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+        table.substitute(value, &all.letters).ok()
     }
 
     fn limit_residual(

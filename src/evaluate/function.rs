@@ -13,7 +13,7 @@ use crate::functions::{Constant, Functions, Possible};
 use crate::latex;
 use crate::model::links::Place;
 use crate::model::names::Resolved;
-use crate::model::{Definition, Node, NotationKind};
+use crate::model::{Definition, Letter, Node, NotationKind};
 use crate::span::Span;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -370,6 +370,14 @@ impl<D: Domain> Evaluator<'_, D> {
         };
         let letter = self.model.letter_of_symbol(symbol, 0);
         let letter = letter.ok_or_else(|| Failure::unsupported("this derivative", span))?;
+        // A hypothesis that gives the letter a value leaves nothing to differentiate by.
+        let own = self.field.partial_derivatives(&self.letters[letter]);
+        if own.is_some_and(|own| own != [(letter, self.field.integer(1))]) {
+            return Err(Failure::unsupported(
+                "a derivative by a letter that a hypothesis replaces",
+                span,
+            ));
+        }
         let mut value = value;
         for _ in 0..order {
             value = value.try_map(|entry| self.partial(entry, letter, span))?;
@@ -386,6 +394,18 @@ impl<D: Domain> Evaluator<'_, D> {
         for (letter, partial) in partials {
             let rate = if letter == by {
                 self.field.integer(1)
+            } else if let Letter::Abbreviation { definition } = self.model.letters[letter] {
+                let outer = std::mem::take(&mut self.bound);
+                let key = (Node::Definition(definition), Vec::new(), 0);
+                let behind = self.compute(&key, span);
+                self.bound = outer;
+                match behind? {
+                    Value::Scalar(behind) => self.partial(&behind, by, span)?,
+                    Value::Zero => self.field.integer(0),
+                    Value::Matrix(_) => {
+                        return Err(Failure::unsupported("a derivative of a matrix", span));
+                    }
+                }
             } else {
                 let steps = self.field.functions().and_then(|f| f.chain(letter));
                 let mut rate = self.field.integer(0);

@@ -176,7 +176,7 @@ impl<D: Domain> Evaluator<'_, D> {
         }
     }
 
-    fn compute(&mut self, key: &Key, span: Span) -> Result<Value<D::Element>, Failure> {
+    pub(super) fn compute(&mut self, key: &Key, span: Span) -> Result<Value<D::Element>, Failure> {
         let (node, indices, derivatives) = key;
         if let Node::Matrix(matrix) = node {
             return self.declared_matrix(*matrix, *derivatives, span);
