@@ -130,15 +130,33 @@ impl Prose {
 
     /// For TeX.
     pub fn to_latex(&self) -> String {
-        self.0
-            .iter()
-            .map(|piece| match piece {
-                Piece::Words(words) => escape(words),
-                Piece::Strong(words) => format!("\\textbf{{{}}}", escape(words)),
-                Piece::Code(words) => crate::report::latex::escape::code(words),
-                Piece::Math { latex, .. } => format!("${latex}$"),
-            })
-            .collect()
+        self.written(["$", "$"], |piece| match piece {
+            Piece::Words(words) => escape(words),
+            Piece::Strong(words) => format!("\\textbf{{{}}}", escape(words)),
+            Piece::Code(words) => crate::report::latex::escape::code(words),
+            Piece::Math { latex, .. } => latex.clone(),
+        })
+    }
+
+    /// Piece by piece in a language with these delimiters of formulas. Neighbouring formulas are one,
+    /// so that a line may break at the relation between them.
+    pub fn written(&self, delimiters: [&str; 2], piece: impl Fn(&Piece) -> String) -> String {
+        let is_math = |k: Option<usize>| {
+            let piece = k.and_then(|k| self.0.get(k));
+            matches!(piece, Some(Piece::Math { .. }))
+        };
+        let mut out = String::new();
+        for (k, one) in self.0.iter().enumerate() {
+            let math = is_math(Some(k));
+            if math && !is_math(k.checked_sub(1)) {
+                out += delimiters[0];
+            }
+            out += &piece(one);
+            if math && !is_math(Some(k + 1)) {
+                out += delimiters[1];
+            }
+        }
+        out
     }
 }
 

@@ -5,7 +5,7 @@ use crate::document::{Predicate, VerdictWord};
 use crate::expr::Expr;
 use crate::latex;
 use crate::model::statement::Proposition;
-use crate::report::formula::{Formulas, Script, number};
+use crate::report::formula::{Formulas, Script, number, width};
 use crate::report::prose::{Block, Prose};
 use crate::theory::algebraic::{Algebraic, Radicals};
 use crate::verdict::statement::{
@@ -22,6 +22,8 @@ const LINE: usize = 150;
 const DIGITS: u32 = 5;
 /// A rational number with more characters is shown as a decimal only.
 const LONG: usize = 24;
+/// A radicand that is wider than this in LaTeX is written as a power.
+const LONG_ROOT: usize = 40;
 
 /// `4.1`; the bare label for a statement with one proposition.
 pub fn number_of(audit: &Audit, outcome: &StatementOutcome) -> String {
@@ -516,6 +518,16 @@ impl Writer<'_> {
         let [latex, plain] = [Script::Latex, Script::Plain].map(|script| {
             let inside = self.formulas.rational(&closed.inside, script);
             let root = match script {
+                // A line can break in brackets, but under no root and in no fraction.
+                Script::Latex if width(&inside) > LONG_ROOT => {
+                    let f = &closed.inside;
+                    let [above, below] = [f.numerator(), f.denominator()]
+                        .map(|p| format!("({})", self.formulas.polynomial(p, script)));
+                    match f.denominator().is_one() {
+                        true => format!("{above}^{{1/2}}"),
+                        false => format!("\\bigl[{above}/{below}\\bigr]^{{1/2}}"),
+                    }
+                }
                 Script::Latex => format!("\\sqrt{{{inside}}}"),
                 _ => format!("√({inside})"),
             };

@@ -85,27 +85,13 @@ fn display(latex: &str) -> String {
 }
 
 fn words(prose: &Prose) -> String {
-    let mut out = String::new();
-    let pieces = prose.pieces();
-    for (k, piece) in pieces.iter().enumerate() {
-        match piece {
-            Piece::Words(text) => out += &escape(text),
-            Piece::Strong(text) => out += &format!("**{}**", escape(text)),
-            Piece::Code(text) => out += &format!("`{text}`"),
-            Piece::Math { latex, .. } => {
-                // Backticks keep Markdown's own signs out; neighbours are one formula.
-                let is_math = |p: Option<&Piece>| matches!(p, Some(Piece::Math { .. }));
-                if !is_math(k.checked_sub(1).and_then(|k| pieces.get(k))) {
-                    out += "$`";
-                }
-                out += latex;
-                if !is_math(pieces.get(k + 1)) {
-                    out += "`$";
-                }
-            }
-        }
-    }
-    out
+    // Backticks keep Markdown's own signs out of formulas.
+    prose.written(["$`", "`$"], |piece| match piece {
+        Piece::Words(text) => escape(text),
+        Piece::Strong(text) => format!("**{}**", escape(text)),
+        Piece::Code(text) => format!("`{text}`"),
+        Piece::Math { latex, .. } => latex.clone(),
+    })
 }
 
 /// Free text cannot act as Markdown.

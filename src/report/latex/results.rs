@@ -14,7 +14,7 @@ const ROW: usize = 72;
 /// So many lines share a display, which no page break may cut.
 const PAGE: usize = 6;
 /// A formula longer than this says nothing to a reader.
-const UNREADABLE: usize = 1500;
+const UNREADABLE: usize = 600;
 
 const SECTIONS: [(&[Kind], &str); 3] = [
     (
