@@ -203,9 +203,9 @@ mod tests {
             ("ab", "2ab", ["ab", "\\underline{2}ab"]),
             ("a", "\\pi a", ["a", "\\underline{\\pi}a"]),
             (
-                "a(b + c)",
-                "a(b + d)",
-                ["a(b + \\underline{c})", "a(b + \\underline{d})"],
+                "2(b + c)",
+                "2(b + d)",
+                ["2(b + \\underline{c})", "2(b + \\underline{d})"],
             ),
             (
                 "a^2 + c",
