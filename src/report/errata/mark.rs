@@ -205,7 +205,10 @@ mod tests {
             (
                 "2(b + c)",
                 "2(b + d)",
-                ["2(b + \\underline{c})", "2(b + \\underline{d})"],
+                [
+                    "2\\left(b + \\underline{c}\\right)",
+                    "2\\left(b + \\underline{d}\\right)",
+                ],
             ),
             (
                 "a^2 + c",
