@@ -586,7 +586,7 @@ fn numbers(audit: &Audit, label: &str, member: usize) -> Vec<(Measure, String)> 
     let outcome = outcomes.find(|o| o.member == member).expect("the member");
     let facts = outcome.facts.iter().filter_map(|fact| match fact {
         Fact::Number(measure, value) => {
-            let [_, plain] = rederive::report::statement::closed(value)?;
+            let [_, plain] = rederive::report::algebraic::closed(value)?;
             Some((measure.clone(), plain))
         }
         _ => None,

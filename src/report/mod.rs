@@ -4,6 +4,7 @@
 //! ([`terminal`], [`explain`]) and in LaTeX ([`latex`]); programs read [`json`] and [`vectors`].
 //! Same document, same bytes: nothing here depends on the time, the machine or an address.
 
+pub mod algebraic;
 pub mod csv;
 pub mod decimal;
 pub mod drawing;

@@ -3,6 +3,7 @@
 
 use crate::audit::Audit;
 use crate::check::effect::effect;
+use crate::report::algebraic::shown;
 use crate::report::formula::{Formulas, Script};
 use crate::report::plain::plain;
 use crate::report::prose::{Block, Prose};
@@ -10,7 +11,6 @@ use crate::report::reason::{
     absent, combination, difference, edits, equation_of, hypothesis, labels, missing, place,
     reason, relations, uniqueness, values,
 };
-use crate::report::statement::shown;
 use crate::verdict::{
     Because, Certificate, Correction, Given, NonVanishing, Outcome, Refutation, Rejected,
     ResidualEntry, Verdict,

@@ -1,9 +1,10 @@
 //! Statements for programs.
 
 use crate::audit::Audit;
+use crate::report::algebraic::{closed, enclosure};
 use crate::report::formula::{Formulas, Script};
 use crate::report::ordered::Ordered;
-use crate::report::statement::{claim, closed, enclosure, facts, meaning, proposition_of, reason};
+use crate::report::statement::{claim, facts, meaning, proposition_of, reason};
 use crate::standing::Standing;
 use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::{Fact, SignCertificate, StatementOutcome};

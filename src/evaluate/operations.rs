@@ -1,0 +1,210 @@
+//! Sums, products, quotients, powers and calls of exact values.
+
+use super::{
+    Condition, Evaluator, Failure, FailureKind, LARGEST_EXPONENT, LARGEST_PRODUCT, Origin, Value,
+    value,
+};
+use crate::domain::Domain;
+use crate::expr::{Expr, ExprKind, Function, Sign};
+use crate::span::Span;
+use crate::theory::{arithmetic, determinant};
+
+impl<D: Domain> Evaluator<'_, D> {
+    pub(super) fn sum(
+        &mut self,
+        terms: &[(Sign, Expr)],
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let mut sum: Option<Value<D::Element>> = None;
+        for (sign, term) in terms {
+            let mut value = self.expression(term)?;
+            // A block of zeros of any shape, as in `[0; g] w`, has as many rows as the sum needs.
+            if let (Some(Value::Matrix(s)), Value::Matrix(m)) = (&sum, &value)
+                && s.rows() != m.rows()
+                && s.columns() == m.columns()
+            {
+                self.wanted_rows = Some(s.rows());
+                let fitted = self.expression(term);
+                self.wanted_rows = None;
+                value = fitted?;
+            }
+            sum = Some(match (sum, sign) {
+                (None, Sign::Plus) => value,
+                (None, Sign::Minus) => value::negate(&self.field, &value),
+                (Some(s), Sign::Plus) => value::add(&self.field, &s, &value, term.span)?,
+                (Some(s), Sign::Minus) => value::subtract(&self.field, &s, &value, term.span)?,
+            });
+        }
+        sum.ok_or_else(|| Failure::unsupported("an empty sum", span))
+    }
+
+    pub(super) fn multiply(
+        &self,
+        left: &Value<D::Element>,
+        right: &Value<D::Element>,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let largest = |v: &Value<D::Element>| {
+            v.entries()
+                .iter()
+                .map(|e| self.field.size(e))
+                .max()
+                .unwrap_or(0)
+        };
+        if largest(left).saturating_mul(largest(right)) > LARGEST_PRODUCT {
+            return Err(Failure::new(
+                FailureKind::Budget {
+                    what: "terms of a product".into(),
+                },
+                span,
+            ));
+        }
+        value::multiply(&self.field, left, right, span)
+    }
+
+    pub(super) fn quotient(
+        &mut self,
+        numerator: &Expr,
+        denominator: &Expr,
+    ) -> Result<Value<D::Element>, Failure> {
+        let span = denominator.span;
+        let top = self.expression(numerator)?;
+        let Value::Scalar(divisor) = self.expression(denominator)? else {
+            return Err(Failure::unsupported("division by a matrix", span));
+        };
+        let inverse = self.reciprocal(&divisor, span)?;
+        self.multiply(&Value::Scalar(inverse), &top, span)
+    }
+
+    /// 1/divisor, with its condition.
+    pub(super) fn reciprocal(
+        &mut self,
+        divisor: &D::Element,
+        span: Span,
+    ) -> Result<D::Element, Failure> {
+        let inverse = self
+            .field
+            .divide(&self.field.integer(1), divisor)
+            .ok_or_else(|| Failure::new(FailureKind::DivisionByZero, span))?;
+        self.conditions.push(Condition {
+            divisor: divisor.clone(),
+            origin: Origin::Divisor(span),
+        });
+        Ok(inverse)
+    }
+
+    pub(super) fn power(
+        &mut self,
+        base: &Expr,
+        exponent: &Expr,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let too_large = || {
+            Failure::new(
+                FailureKind::Exponent {
+                    exponent: crate::latex::write_expr(exponent),
+                    limit: LARGEST_EXPONENT,
+                },
+                exponent.span,
+            )
+        };
+        let n = match self.integer(exponent) {
+            Ok(n) => n,
+            Err(failure) => return self.general_power(base, exponent, failure),
+        };
+        let magnitude = u32::try_from(n.unsigned_abs())
+            .ok()
+            .filter(|m| *m <= LARGEST_EXPONENT)
+            .ok_or_else(too_large)?;
+        if let (ExprKind::Name(name), true) = (&base.kind, n > 0)
+            && let Some((node, rest)) = self.model.power_node(name, magnitude)
+        {
+            return match self.node((node, Vec::new(), 0), span)? {
+                Value::Scalar(s) => self
+                    .field
+                    .power(&s, rest)
+                    .map(Value::Scalar)
+                    .ok_or_else(too_large),
+                other => Ok(other),
+            };
+        }
+        match self.expression(base)? {
+            Value::Scalar(s) => {
+                let s = if n < 0 { self.reciprocal(&s, span)? } else { s };
+                self.field
+                    .power(&s, magnitude)
+                    .map(Value::Scalar)
+                    .ok_or_else(|| {
+                        Failure::new(
+                            FailureKind::Budget {
+                                what: "terms of a power".into(),
+                            },
+                            span,
+                        )
+                    })
+            }
+            Value::Matrix(m) => {
+                if !m.is_square() {
+                    let text = Value::Matrix(m).shape_text();
+                    return Err(Failure::new(
+                        FailureKind::Shape {
+                            operation: "power".into(),
+                            left: text.clone(),
+                            right: text,
+                        },
+                        span,
+                    ));
+                }
+                let factor = if n < 0 {
+                    if let Some(det) = determinant::determinant(&self.field, &m) {
+                        self.reciprocal(&det, span)?;
+                    }
+                    value::invert(&self.field, &m, span)?
+                } else {
+                    m
+                };
+                let mut product = arithmetic::identity(&self.field, factor.rows());
+                for _ in 0..magnitude {
+                    product = arithmetic::multiply(&self.field, &product, &factor)
+                        .ok_or_else(too_large)?;
+                }
+                Ok(Value::from_matrix(product))
+            }
+            Value::Zero => Ok(Value::Zero),
+        }
+    }
+
+    pub(super) fn call(
+        &mut self,
+        function: Function,
+        argument: &Expr,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        let value = self.expression(argument)?;
+        let matrix = match &value {
+            Value::Matrix(m) => m.clone(),
+            Value::Scalar(s) => crate::matrix::Matrix::from_fn(1, 1, |_, _| s.clone()),
+            Value::Zero => return Err(Failure::unsupported("a function of a bare zero", span)),
+        };
+        let result = match function {
+            Function::Determinant => determinant::determinant(&self.field, &matrix),
+            Function::Trace => arithmetic::trace(&self.field, &matrix),
+            _ => return self.function_of(function, &value, span),
+        };
+        result.map(Value::Scalar).ok_or_else(|| {
+            Failure::new(
+                FailureKind::Shape {
+                    operation: "determinant or trace".into(),
+                    left: value.shape_text(),
+                    right: "square".into(),
+                },
+                span,
+            )
+        })
+    }
+}
+
+/// The place of a product up to and including a factor.
+pub(super) fn p_span(factors: &[Expr], last: &Expr) -> Span {
+    factors.first().map_or(last.span, |f| f.span.to(last.span))
+}
