@@ -1,6 +1,10 @@
 //! What the README says is so: its tables are what the program prints, its example is checked, and
 //! its exit codes are those of the program.
 
+use rederive::audit::Audit;
+use rederive::check::Options;
+use rederive::inspection::Inspection;
+use rederive::paper::papers;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -56,6 +60,25 @@ fn the_table_is_what_the_program_prints() {
     let printed = String::from_utf8(output.stdout).expect("text");
     compare_or_bless(&printed, &format!("<!-- table: {document} -->"));
     assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn the_headline_counts_the_equations_of_the_paper() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/schiehlen-2006");
+    let inspections: Vec<Inspection> = rederive::input::read(&[folder])
+        .into_iter()
+        .map(|document| Inspection {
+            audit: Audit::of(&document.expect("a document"), Options::default()).expect("an audit"),
+            comparison: None,
+        })
+        .collect();
+    let papers = papers(&inspections);
+    let [paper] = &papers[..] else {
+        panic!("{papers:?}");
+    };
+    let words: Vec<String> = readme().split_whitespace().map(String::from).collect();
+    let said = words.join(" ");
+    assert!(said.contains(&paper.coverage()), "{}", paper.coverage());
 }
 
 #[test]
