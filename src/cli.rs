@@ -6,8 +6,10 @@ use crate::diagnostic::Rejection;
 use crate::input;
 use crate::inspection::Inspection;
 use crate::methods::Methods;
+use crate::mutation::{self, Mutation};
 use crate::paper::papers;
 use crate::progress::{INTERRUPTED_CODE, Terminal, Watch};
+use crate::report::mutation as mutation_report;
 use crate::report::output::{self, Pdf};
 use crate::report::terminal::{self, Style};
 use crate::report::{errata, explain, json};
@@ -44,6 +46,11 @@ enum Commands {
     Methods(MethodsArguments),
     /// Write what is false as an errata sheet, in Markdown or LaTeX.
     Errata(ErrataArguments),
+    /// Damage every claim and definition in every single way, and count what the checker lets pass.
+    ///
+    /// Exit code: 0 every mutant was refuted, is equivalent or is undecided; 1 one has survived, or
+    /// was refuted although it is equivalent; 3 a document cannot be checked; 130 interrupted.
+    Mutate(MutateArguments),
     /// Write the figures only: an SVG for each, and its numbers as CSV.
     Figures(Figures),
 }
@@ -92,6 +99,43 @@ struct ErrataArguments {
 }
 
 #[derive(Debug, Args)]
+struct MutateArguments {
+    /// Documents, or folders of documents; without any, the ones inside the program.
+    paths: Vec<PathBuf>,
+    /// Print one JSON object instead of tables.
+    #[arg(long)]
+    json: bool,
+    /// What samples are drawn with.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    seed: u64,
+    /// On how many of a document's refuted claims the search for corrections is tried: a number,
+    /// `all` or `none`.
+    #[arg(long, default_value = "200", value_name = "N|all|none", value_parser = amount)]
+    repair: Amount,
+    /// At most so many mutants of each document, drawn at random.
+    #[arg(long, value_name = "N")]
+    limit: Option<usize>,
+}
+
+/// How many of something.
+#[derive(Clone, Copy, Debug)]
+enum Amount {
+    All,
+    AtMost(usize),
+}
+
+fn amount(text: &str) -> Result<Amount, String> {
+    match text {
+        "all" => Ok(Amount::All),
+        "none" => Ok(Amount::AtMost(0)),
+        _ => text
+            .parse()
+            .map(Amount::AtMost)
+            .map_err(|_| "a number, `all` or `none`".to_string()),
+    }
+}
+
+#[derive(Debug, Args)]
 struct Explain {
     /// The printed number, such as 61.
     equation: String,
@@ -116,6 +160,7 @@ pub fn main() -> ExitCode {
         Some(Commands::Errata(arguments)) => errata(&arguments, &watch),
         Some(Commands::Figures(arguments)) => figures(&arguments, &watch),
         Some(Commands::Methods(arguments)) => methods(&arguments, &watch),
+        Some(Commands::Mutate(arguments)) => mutate(&arguments, &watch),
         Some(Commands::Check(arguments)) => check(&arguments, &watch),
         None => check(&arguments.check, &watch),
     });
@@ -231,6 +276,53 @@ fn methods(arguments: &MethodsArguments, watch: &Terminal) -> io::Result<u8> {
         return Ok(3);
     }
     Ok(if rejected > 0 { 3 } else { 0 })
+}
+
+fn mutate(arguments: &MutateArguments, watch: &Terminal) -> io::Result<u8> {
+    let options = mutation::Options {
+        seed: arguments.seed,
+        repairs: match arguments.repair {
+            Amount::All => None,
+            Amount::AtMost(n) => Some(n),
+        },
+        limit: arguments.limit,
+        ..mutation::Options::default()
+    };
+    let mut mutations: Vec<Mutation> = Vec::new();
+    let mut rejected = 0;
+    let mut out = io::stdout().lock();
+    for document in input::read(&arguments.paths) {
+        if watch.stop() {
+            break;
+        }
+        match document.and_then(|d| mutation::mutate(&d, &options, watch)) {
+            Ok(mutation) => {
+                if !arguments.json {
+                    let gap = if mutations.is_empty() { "" } else { "\n" };
+                    write!(out, "{gap}{}", mutation_report::plain(&mutation))?;
+                    out.flush()?;
+                }
+                mutations.push(mutation);
+            }
+            Err(rejection) => {
+                rejected += 1;
+                report(&rejection)?;
+            }
+        }
+    }
+    if arguments.json {
+        let figures = mutation_report::json::figures(&mutations, arguments.seed);
+        out.write_all(&output::pretty(&figures)?)?;
+    } else if mutations.len() > 1 {
+        write!(out, "\n{}", mutation_report::summary(&mutations))?;
+    }
+    out.flush()?;
+    let (total, _) = mutation::tally::tally(&mutations);
+    Ok(match (rejected, total.survived + total.false_alarms) {
+        (0, 0) => 0,
+        (0, _) => 1,
+        _ => 3,
+    })
 }
 
 fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {

@@ -40,6 +40,7 @@ pub mod latex;
 pub mod matrix;
 pub mod methods;
 pub mod model;
+pub mod mutation;
 pub mod numeric;
 pub mod paper;
 pub mod progress;

@@ -75,10 +75,24 @@ impl Checker<'_> {
         strict: bool,
     ) -> Result<Result<Signs, Verdict>, Failure> {
         let field = self.model.field();
-        if let (Some(matrix), Value::Zero | Value::Scalar(_), true) =
+        if let (Some(matrix), bound @ (Value::Zero | Value::Scalar(_)), true) =
             (stability(lower), self.exact.expression(upper)?, strict)
         {
+            // Re λ(A) < c if and only if Re λ(A - cE) < 0.
             let value = self.exact.expression(matrix)?;
+            let value = match (value, bound) {
+                (Value::Matrix(m), Value::Scalar(c)) if m.is_square() => {
+                    Value::Matrix(Matrix::from_fn(m.rows(), m.rows(), |i, j| {
+                        if i == j {
+                            &m[(i, j)] - &c
+                        } else {
+                            m[(i, j)].clone()
+                        }
+                    }))
+                }
+                (Value::Scalar(s), Value::Scalar(c)) => Value::Scalar(&s - &c),
+                (value, _) => value,
+            };
             let matrix = match value {
                 Value::Matrix(m) if m.is_square() => m,
                 Value::Scalar(s) => Matrix::from_fn(1, 1, |_, _| s.clone()),

@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 /// The side with each of these factors.
-pub(super) fn factors(model: &Model, display: &Display, place: Place) -> Vec<Replacement> {
+pub(crate) fn factors(model: &Model, display: &Display, place: Place) -> Vec<Replacement> {
     let Some(side) = place.find(display) else {
         return Vec::new();
     };

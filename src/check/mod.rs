@@ -18,6 +18,7 @@ mod repair;
 mod scope;
 mod sides;
 mod statement;
+pub(crate) mod trial;
 mod witness;
 
 use crate::diagnostic::Diagnostic;
@@ -31,6 +32,7 @@ use crate::model::{DefinitionKind, Letter, Model, Node, Role};
 use crate::theory::stability::hurwitz_determinants;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Certificate, Flaw, Outcome, Refutation, Verdict};
+pub(crate) use factors::factors;
 use identity::Decision;
 use num_traits::Signed;
 use ratpoly::RationalFunction;
@@ -64,6 +66,8 @@ pub struct Checker<'m> {
     /// For each letter that is an abbreviation, its value in the declared symbols.
     pub(crate) inserted: BTreeMap<usize, RationalFunction>,
     diagnostics: Vec<Diagnostic>,
+    /// Why the last link that was looked at stayed undecided, where its evaluation failed.
+    failure: Option<FailureKind>,
 }
 
 /// The verdicts on a model.
@@ -114,8 +118,21 @@ impl<'m> Checker<'m> {
             options,
             inserted: BTreeMap::new(),
             diagnostics: Vec::new(),
+            failure: None,
         };
-        let mut expanding = symbolic(model).in_instance(instance);
+        checker.insert_abbreviations();
+        if checker.diagnostics.is_empty() {
+            Ok(checker)
+        } else {
+            Err(checker.diagnostics)
+        }
+    }
+
+    /// Computes the values of all abbreviations in the declared symbols.
+    fn insert_abbreviations(&mut self) {
+        let model = self.model;
+        self.inserted.clear();
+        let mut expanding = self.exact.anew();
         expanding.keep_abbreviations = false;
         for (letter, kind) in model.letters.iter().enumerate() {
             if let Letter::Abbreviation { definition } = kind {
@@ -123,17 +140,12 @@ impl<'m> Checker<'m> {
                 let span = model.equations[model.definitions[*definition].equation].span;
                 match expanding.value_of(node, span) {
                     Ok(Value::Scalar(value)) => {
-                        checker.inserted.insert(letter, value);
+                        self.inserted.insert(letter, value);
                     }
                     Ok(_) => {}
-                    Err(failure) => checker.note(&failure),
+                    Err(failure) => self.note(&failure),
                 }
             }
-        }
-        if checker.diagnostics.is_empty() {
-            Ok(checker)
-        } else {
-            Err(checker.diagnostics)
         }
     }
 
@@ -188,58 +200,63 @@ impl<'m> Checker<'m> {
     }
 
     fn settle_links(&mut self, equation: usize, unusable: Option<&str>) -> Vec<Outcome> {
+        let links = self.model.equations[equation].links.len();
+        (0..links)
+            .map(|l| self.outcome(equation, l, unusable))
+            .collect()
+    }
+
+    /// What is found out about one link of an equation, whose hypotheses may be unusable.
+    fn outcome(&mut self, equation: usize, l: usize, unusable: Option<&str>) -> Outcome {
         let model = self.model;
         let printed = &model.equations[equation];
-        let mut outcomes = Vec::new();
-        for (l, link) in printed.links.iter().enumerate() {
-            self.exact.conditions.clear();
-            let mut certificate = Certificate::default();
-            let mut positivity = None;
-            let verdict = if let Role::Recall(reason) = &printed.role {
-                Verdict::Recalled {
-                    reason: reason.clone(),
-                }
-            } else if let Some(reason) = printed.settings.recalled_members.get(&link.member) {
-                Verdict::Recalled {
-                    reason: reason.text.clone(),
-                }
-            } else if let Some(reason) = unusable {
-                Verdict::Undecided {
-                    reason: reason.into(),
-                }
-            } else if printed.role == Role::Solve {
-                self.solved(equation)
-            } else if let Some(definition) = printed.defines[l] {
-                self.misscoped(equation, link)
-                    .unwrap_or_else(|| self.definition(definition))
-            } else if printed.role == Role::Define && self.is_range(equation, link) {
-                Verdict::Definition {
-                    what: "the range in which it is meant".into(),
-                }
-            } else if link.left == link.right {
-                self.bare(equation, link)
-            } else if link.relation == Relation::Tends {
-                self.tends(equation, link)
-            } else if link.relation != Relation::Equal {
-                self.inequality(equation, link, &mut positivity)
-            } else {
-                self.claim(equation, link, &mut certificate)
-            };
-            debug_assert!(certificate.verify(), "a certificate that does not verify");
-            let conditions = self.conditions();
-            let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
-            outcomes.push(Outcome {
-                equation,
-                member: link.member,
-                verdict,
-                conditions,
-                certificate,
-                positivity,
-                assumed: assumed.collect(),
-                instances: vec![self.instance],
-            });
+        let link = &printed.links[l];
+        self.exact.conditions.clear();
+        let mut certificate = Certificate::default();
+        let mut positivity = None;
+        let verdict = if let Role::Recall(reason) = &printed.role {
+            Verdict::Recalled {
+                reason: reason.clone(),
+            }
+        } else if let Some(reason) = printed.settings.recalled_members.get(&link.member) {
+            Verdict::Recalled {
+                reason: reason.text.clone(),
+            }
+        } else if let Some(reason) = unusable {
+            Verdict::Undecided {
+                reason: reason.into(),
+            }
+        } else if printed.role == Role::Solve {
+            self.solved(equation)
+        } else if let Some(definition) = printed.defines[l] {
+            self.misscoped(equation, link)
+                .unwrap_or_else(|| self.definition(definition))
+        } else if printed.role == Role::Define && self.is_range(equation, link) {
+            Verdict::Definition {
+                what: "the range in which it is meant".into(),
+            }
+        } else if link.left == link.right {
+            self.bare(equation, link)
+        } else if link.relation == Relation::Tends {
+            self.tends(equation, link)
+        } else if link.relation != Relation::Equal {
+            self.inequality(equation, link, &mut positivity)
+        } else {
+            self.claim(equation, link, &mut certificate)
+        };
+        debug_assert!(certificate.verify(), "a certificate that does not verify");
+        let conditions = self.conditions();
+        let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
+        Outcome {
+            equation,
+            member: link.member,
+            verdict,
+            conditions,
+            certificate,
+            positivity,
+            assumed: assumed.collect(),
+            instances: vec![self.instance],
         }
-        outcomes
     }
 
     /// A definition is right if it has a value.
@@ -482,6 +499,7 @@ impl<'m> Checker<'m> {
     /// Why there is no value, in words; a fault of the document is noted.
     fn reason_of(&mut self, failure: &Failure) -> String {
         self.note(failure);
+        self.failure = Some(failure.kind.clone());
         match &failure.kind {
             FailureKind::Unsupported { what } => format!("{what} is outside of what is decided"),
             FailureKind::Budget { what } => format!("too many {what}"),

@@ -311,6 +311,7 @@ impl<D: Domain> Evaluator<'_, D> {
             Solution::Inconsistent => Err(outside(
                 "the expectation of a product that no covariance covers",
             )),
+            Solution::TooLarge => Err(outside("an expectation with so many terms")),
             Solution::Underdetermined => Err(outside(
                 "an expectation by covariances of quantities that depend on each other",
             )),

@@ -21,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Symbols that stand for something else, and the values computed so.
 #[derive(Debug)]
 pub(super) struct Replaced<E> {
-    symbols: BTreeSet<usize>,
+    pub(super) symbols: BTreeSet<usize>,
     pub(super) known: BTreeMap<Key, Known<E>>,
 }
 

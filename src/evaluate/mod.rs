@@ -5,6 +5,7 @@
 //! Abbreviations (scalars defined by arithmetic on declared symbols) stay letters; inserting their
 //! definitions is the checker's business.
 
+mod change;
 mod expectation;
 mod failure;
 mod function;
@@ -16,6 +17,7 @@ pub mod value;
 
 use operations::p_span;
 
+pub(crate) use change::Displaced;
 pub use failure::{Failure, FailureKind};
 pub use value::Value;
 

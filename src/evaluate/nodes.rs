@@ -25,6 +25,13 @@ impl<D: Domain> Evaluator<'_, D> {
                 span,
             ));
         }
+        let elsewhere = |argument| {
+            let mut replaced = self.replaced.iter();
+            replaced.any(|r| r.symbols.contains(&argument))
+        };
+        if self.model.argument_symbols(symbol).any(elsewhere) {
+            return Err(Failure::unsupported("a process at another argument", span));
+        }
         // A constant has the derivative zero; a process has a letter for each order in use.
         if order > 0 && self.model.symbols[symbol].function_of.is_none() {
             return Ok(Value::Scalar(self.field.integer(0)));

@@ -224,9 +224,15 @@ impl<D: Domain> Evaluator<'_, D> {
         let right = constant.iter().map(|r| self.field.negate(r)).collect();
         match linear::solve(&self.field, matrix, right) {
             Solution::Unique { values, pivots } => {
-                let determinant = pivots.iter().fold(self.field.integer(1), |product, pivot| {
-                    self.field.multiply(&product, pivot)
-                });
+                let mut determinant = self.field.integer(1);
+                for pivot in &pivots {
+                    let sizes = [&determinant, pivot].map(|e| self.field.size(e));
+                    if sizes[0].saturating_mul(sizes[1]) > super::LARGEST_PRODUCT {
+                        let what = "terms of the determinant of a linear system".into();
+                        return Err(Failure::new(FailureKind::Budget { what }, span));
+                    }
+                    determinant = self.field.multiply(&determinant, pivot);
+                }
                 let solution = shapes
                     .iter()
                     .enumerate()
@@ -240,6 +246,10 @@ impl<D: Domain> Evaluator<'_, D> {
                     })
                     .collect();
                 Ok((solution, determinant))
+            }
+            Solution::TooLarge => {
+                let what = "terms of the solution of a linear system".into();
+                Err(Failure::new(FailureKind::Budget { what }, span))
             }
             Solution::Underdetermined => Err(Failure::new(FailureKind::Underdetermined, span)),
             Solution::Inconsistent => Err(Failure::new(FailureKind::Inconsistent, span)),

@@ -189,6 +189,10 @@ pub fn invert<D: Domain>(
         let unit = (0..n).map(|i| field.integer(i64::from(i == j))).collect();
         match linear::solve(field, matrix.clone(), unit) {
             linear::Solution::Unique { values, .. } => columns.push(values),
+            linear::Solution::TooLarge => {
+                let what = "terms of an inverse matrix".into();
+                return Err(Failure::new(FailureKind::Budget { what }, span));
+            }
             _ => return Err(Failure::new(FailureKind::DivisionByZero, span)),
         }
     }

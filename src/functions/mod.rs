@@ -9,7 +9,8 @@
 //! which they occur linearly in the numerator and not at all in the denominator (the tower of
 //! extensions of Risch 1969, here with quadratic steps). All symbols stand for real numbers.
 //!
-//! Invariants: an argument mentions only letters that were given out before; the table only grows.
+//! Invariants: an argument mentions only letters that were given out before; the table only grows, but for
+//! letters that are [taken back](FunctionTable::take_back) once nothing uses them.
 
 mod calculus;
 mod elementary;
@@ -215,6 +216,23 @@ impl FunctionTable {
                 Some(&Polynomial::one(self.ring) - &(&cosine * &cosine))
             }
             _ => None,
+        }
+    }
+
+    /// How many letters are given out.
+    pub(crate) fn given_out(&self) -> usize {
+        self.lock().letters.len()
+    }
+
+    /// Takes back all letters but the first `count` ones. No element with a later letter may be in
+    /// use any more.
+    pub(crate) fn take_back(&self, count: usize) {
+        let mut given = self.lock();
+        given.letters.truncate(count);
+        let end = self.first + count;
+        if given.quadratics.iter().any(|q| q.letter >= end) {
+            let kept = given.quadratics.iter().filter(|q| q.letter < end);
+            given.quadratics = Arc::new(kept.cloned().collect());
         }
     }
 

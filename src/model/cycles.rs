@@ -16,41 +16,9 @@ impl Model {
         let mut report = Vec::new();
         // The letters that sizes depend on stand for numbers everywhere.
         let sizes: Vec<String> = self.instances[0].keys().cloned().collect();
-        for equation in &self.equations {
-            if matches!(equation.role, Role::Recall(_)) {
-                continue;
-            }
-            for (clause_index, clause) in equation.display.clauses.iter().enumerate() {
-                let mut bound: Vec<String> = clause
-                    .ranges
-                    .iter()
-                    .map(|r| latex::canonical(&r.index))
-                    .chain(sizes.iter().cloned())
-                    .collect();
-                let recalled = |member: usize| {
-                    equation.links.iter().any(|l| {
-                        l.left.clause() == clause_index
-                            && equation.settings.recalled_members.contains_key(&l.member)
-                            && l.right
-                                == super::links::Place::Member {
-                                    clause: clause_index,
-                                    member,
-                                }
-                    })
-                };
-                for (m, member) in clause.chain.members.iter().enumerate() {
-                    if !recalled(m) {
-                        self.check_expression(member, &mut bound, &mut report);
-                    }
-                }
-                for (_, label) in super::links::underbraces(&clause.chain) {
-                    for member in &label.members {
-                        self.check_expression(member, &mut bound, &mut report);
-                    }
-                }
-            }
-            for given in equation.given.iter().chain(&equation.assume) {
-                self.check_expression(given, &mut sizes.clone(), &mut report);
+        for (e, equation) in self.equations.iter().enumerate() {
+            if !matches!(equation.role, Role::Recall(_)) {
+                report.extend(self.check_names_of(e, &equation.display));
             }
         }
         for expression in self
@@ -67,6 +35,85 @@ impl Model {
             }
         }
         report
+    }
+
+    /// The same for one equation, if it read so.
+    pub(crate) fn check_names_of(&self, equation: usize, display: &Display) -> Vec<Diagnostic> {
+        let mut report = Vec::new();
+        let sizes: Vec<String> = self.instances[0].keys().cloned().collect();
+        let equation = &self.equations[equation];
+        for (clause_index, clause) in display.clauses.iter().enumerate() {
+            let mut bound: Vec<String> = clause
+                .ranges
+                .iter()
+                .map(|r| latex::canonical(&r.index))
+                .chain(sizes.iter().cloned())
+                .collect();
+            let recalled = |member: usize| {
+                equation.links.iter().any(|l| {
+                    l.left.clause() == clause_index
+                        && equation.settings.recalled_members.contains_key(&l.member)
+                        && l.right
+                            == super::links::Place::Member {
+                                clause: clause_index,
+                                member,
+                            }
+                })
+            };
+            for (m, member) in clause.chain.members.iter().enumerate() {
+                if !recalled(m) {
+                    self.check_expression(member, &mut bound, &mut report);
+                }
+            }
+            for (_, label) in super::links::underbraces(&clause.chain) {
+                for member in &label.members {
+                    self.check_expression(member, &mut bound, &mut report);
+                }
+            }
+        }
+        for given in equation.given.iter().chain(&equation.assume) {
+            self.check_expression(given, &mut sizes.clone(), &mut report);
+        }
+        report
+    }
+
+    /// Whether what `nodes`, which an equation gives values, would need themselves if it read so.
+    pub(crate) fn would_need_itself(
+        &self,
+        equation: usize,
+        display: &Display,
+        nodes: &BTreeSet<Node>,
+    ) -> bool {
+        nodes.iter().any(|node| {
+            let mut used = BTreeSet::new();
+            let corrected = BTreeMap::from([(equation, display.clone())]);
+            self.each_value(*node, &corrected, &mut |e| self.collect_name(e, &mut used));
+            let itself = match node {
+                Node::Unknown { .. } => true,
+                Node::Definition(d) => {
+                    matches!(self.definitions[*d].kind, DefinitionKind::Family { .. })
+                }
+                _ => false,
+            };
+            let mut open: Vec<Node> = used.into_iter().filter(|n| !itself || n != node).collect();
+            let mut seen = BTreeSet::new();
+            while let Some(next) = open.pop() {
+                if next == *node {
+                    return true;
+                }
+                if seen.insert(next) {
+                    let mut needs = BTreeSet::new();
+                    match next {
+                        Node::Notation(_) => needs = self.needs(next),
+                        _ => self.each_value(next, &corrected, &mut |e| {
+                            self.collect_name(e, &mut needs);
+                        }),
+                    }
+                    open.extend(needs);
+                }
+            }
+            false
+        })
     }
 
     fn check_expression(&self, expr: &Expr, bound: &mut Vec<String>, report: &mut Vec<Diagnostic>) {
@@ -232,7 +279,23 @@ impl Model {
                 }
             });
         }
+        // A process depends on what it is a function of.
+        let arguments: Vec<usize> = symbols
+            .iter()
+            .flat_map(|s| self.argument_symbols(*s))
+            .collect();
+        symbols.extend(arguments);
         symbols
+    }
+
+    /// The symbols that a declared symbol is a function of.
+    pub fn argument_symbols(&self, symbol: usize) -> impl Iterator<Item = usize> {
+        self.symbols[symbol].arguments.iter().filter_map(|name| {
+            match self.resolve(name, &|_| false) {
+                Ok(Resolved::Letter { symbol, order: 0 }) => Some(symbol),
+                _ => None,
+            }
+        })
     }
 
     /// Every expression that a node's value is computed from directly.

@@ -14,6 +14,7 @@ pub mod formula;
 pub mod json;
 pub mod latex;
 pub mod methods;
+pub mod mutation;
 mod ordered;
 pub mod output;
 pub mod plain;

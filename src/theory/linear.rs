@@ -2,7 +2,7 @@
 //!
 //! Over rational functions the cost is decided by the size of the pivots (Markowitz 1957 for
 //! sparsity); the rule is deterministic: smallest size, then fewest nonzero entries in its row,
-//! then first.
+//! then first. Where no order of elimination keeps the elements small, it ends at a limit.
 
 use crate::domain::Domain;
 use crate::matrix::Matrix;
@@ -22,6 +22,24 @@ pub enum Solution<E> {
     Underdetermined,
     /// None.
     Inconsistent,
+    /// The elements grew beyond the limit.
+    TooLarge,
+}
+
+/// The most that elements may grow: the terms of one, and the products of two operands' sizes in all.
+const LARGEST_ELEMENT: usize = 500;
+const LARGEST_WORK: usize = 500_000;
+
+/// What an elimination has spent.
+struct Spent(usize);
+
+impl Spent {
+    /// Whether `left * right` is still to be multiplied out.
+    fn admits<D: Domain>(&mut self, field: &D, left: &D::Element, right: &D::Element) -> bool {
+        let (left, right) = (field.size(left), field.size(right));
+        self.0 = self.0.saturating_add(left.saturating_mul(right));
+        left.max(right) <= LARGEST_ELEMENT && self.0 <= LARGEST_WORK
+    }
 }
 
 /// Solves `matrix x = right` for x; the system may have more equations than unknowns.
@@ -43,6 +61,7 @@ pub fn solve<D: Domain>(
     let mut pivot_of_column = vec![None; n];
     let mut used = vec![false; m];
     let mut pivots = Vec::with_capacity(n);
+    let mut spent = Spent(0);
     for _ in 0..n {
         let candidate = (0..m)
             .filter(|i| !used[*i])
@@ -78,6 +97,9 @@ pub fn solve<D: Domain>(
                 if k == j {
                     rows[i][k] = field.integer(0);
                 } else if !field.is_zero(&pivot_row[k]) {
+                    if !spent.admits(field, &factor, &pivot_row[k]) {
+                        return Solution::TooLarge;
+                    }
                     rows[i][k] =
                         field.subtract(&rows[i][k], &field.multiply(&factor, &pivot_row[k]));
                 }
@@ -93,6 +115,9 @@ pub fn solve<D: Domain>(
         let mut sum = rows[*p][n].clone();
         for k in (0..n).filter(|k| k != j) {
             if !field.is_zero(&rows[*p][k]) {
+                if !spent.admits(field, &rows[*p][k], &values[k]) {
+                    return Solution::TooLarge;
+                }
                 sum = field.subtract(&sum, &field.multiply(&rows[*p][k], &values[k]));
             }
         }

@@ -190,6 +190,7 @@ impl<E: Sign + Clone + PartialEq + std::fmt::Debug> MultibodySystem<E> {
             let right = (0..matrix.rows()).map(|i| matrix[(i, j)].clone()).collect();
             match linear::solve(field, self.mass.clone(), right) {
                 Solution::Unique { values, .. } => columns.push(values),
+                Solution::TooLarge => return Err(TheoryError::Budget),
                 _ => return Err(TheoryError::Singular),
             }
         }

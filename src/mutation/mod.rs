@@ -1,0 +1,336 @@
+//! How many wrong equations the checker lets through: every claim and every definition of a document
+//! is damaged in every single way, and what becomes of each mutant is counted.
+//!
+//! Mutation analysis (DeMillo, Lipton & Sayward 1978) of the checker itself: a *mutant* is the
+//! document with one edit of one equation. It is *refuted* by the code that decides every verdict,
+//! or has no meaning at all; or it is *equivalent*: the values of both displays are the same, which
+//! is decided apart from the verdict. What the checker lets pass and is not equivalent has
+//! *survived*, a fault of ours. A changed definition that no claim tells from the printed one is
+//! *undecided*, never a pass.
+
+mod base;
+mod bench;
+mod dependence;
+mod mutants;
+mod repairs;
+mod sample;
+pub mod tally;
+
+pub use base::LeftOut;
+
+pub use crate::check::trial::{Finding, Nonsense};
+use crate::diagnostic::Rejection;
+use crate::document::Document;
+use crate::expr::Display;
+use crate::latex;
+use crate::model::Model;
+use crate::progress::Watch;
+use crate::stack::with_deep_stack;
+use crate::verdict::EditClass;
+use base::Standing;
+use bench::{Bench, Plan};
+use dependence::{Dependences, LinkAt};
+use mutants::Mutant;
+pub use repairs::Repair;
+use sample::sample;
+
+/// How much is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// What the samples are drawn with.
+    pub seed: u64,
+    /// How many of the refuted mutants of a document the search for corrections is tried on; all
+    /// where it is none.
+    pub repairs: Option<usize>,
+    /// How many mutants of a document are judged, drawn at random; all where it is none.
+    pub limit: Option<usize>,
+    /// How many threads work.
+    pub threads: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            seed: 1,
+            repairs: Some(200),
+            limit: None,
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+        }
+    }
+}
+
+/// A changed equation that is to be judged.
+#[derive(Clone, Copy, Debug)]
+pub struct Case<'c> {
+    /// The class of the edit.
+    pub class: EditClass,
+    /// The equation before the edit.
+    pub original: &'c Display,
+    /// The equation with the edit.
+    pub changed: &'c Display,
+}
+
+/// Who decides about a changed equation: the checker, or in tests one that is blind.
+pub trait Decide: Sync {
+    /// The finding, for which `checker` may be asked.
+    fn decide(&self, case: &Case<'_>, checker: &mut dyn FnMut() -> Finding) -> Finding;
+}
+
+/// The checker itself.
+#[derive(Clone, Copy, Debug)]
+pub struct TheChecker;
+
+impl Decide for TheChecker {
+    fn decide(&self, _: &Case<'_>, checker: &mut dyn FnMut() -> Finding) -> Finding {
+        checker()
+    }
+}
+
+/// Why a mutant says the same as the original.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Equivalence {
+    /// It prints the same.
+    PrintsTheSame,
+    /// Its values are the same once all definitions are inserted.
+    SameValue,
+}
+
+/// What becomes of a mutant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// The checker says that it is false.
+    Refuted {
+        /// The label and the number of the link that is false.
+        by: (String, usize),
+        /// Whether its values are those of the original all the same: a fault of ours.
+        false_alarm: bool,
+    },
+    /// It has no value, which the checker says; counted among the refuted.
+    Meaningless {
+        /// Why.
+        why: Nonsense,
+        /// The label and the number of the link that shows it; none where the document is refused.
+        by: Option<(String, usize)>,
+    },
+    /// It says the same as the original.
+    Equivalent(Equivalence),
+    /// A limit was hit, or no claim depends on what is changed.
+    Undecided(String),
+    /// The checker lets it pass, and it is not equivalent: a fault of ours.
+    Survived,
+}
+
+/// One mutant and what became of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tried {
+    /// The label of the damaged equation.
+    pub label: String,
+    /// The link of it whose side the edit is in, from 1.
+    pub member: usize,
+    /// Whether a definition was damaged, or else a claim.
+    pub definition: bool,
+    /// The class of the edit.
+    pub class: EditClass,
+    /// What the edit replaces, in LaTeX.
+    pub from: String,
+    /// What it puts there.
+    pub to: String,
+    /// The whole equation before, in LaTeX.
+    pub printed: String,
+    /// The whole mutant in LaTeX.
+    pub mutant: String,
+    /// What became of it.
+    pub fate: Fate,
+    /// What the search for corrections proposes, where it was tried.
+    pub repair: Option<Repair>,
+}
+
+impl Tried {
+    /// Whether it is a claim that is refuted and has a meaning.
+    pub fn is_refuted_claim(&self) -> bool {
+        !self.definition && matches!(self.fate, Fate::Refuted { .. })
+    }
+}
+
+/// The mutants of one document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mutation {
+    /// The document's name.
+    pub document: String,
+    /// The document's title.
+    pub title: String,
+    /// The seed of the samples.
+    pub seed: u64,
+    /// How many mutants there are in all; more than were tried where a limit was set or the run
+    /// interrupted.
+    pub possible: usize,
+    /// Those that were tried, in the order of the document.
+    pub tried: Vec<Tried>,
+    /// Links that are not true, or not known to be, and were left as they are.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// Damages a document in every single way.
+///
+/// # Errors
+/// When the undamaged document cannot be checked.
+pub fn mutate(
+    document: &Document,
+    options: &Options,
+    watch: &(dyn Watch + Sync),
+) -> Result<Mutation, Rejection> {
+    mutate_by(document, options, &TheChecker, watch)
+}
+
+/// The same with another judge in place of the checker.
+///
+/// # Errors
+/// As [`mutate`].
+pub fn mutate_by(
+    document: &Document,
+    options: &Options,
+    decide: &dyn Decide,
+    watch: &(dyn Watch + Sync),
+) -> Result<Mutation, Rejection> {
+    with_deep_stack(|| run(document, options, decide, watch))
+}
+
+fn run(
+    printed: &Document,
+    options: &Options,
+    decide: &dyn Decide,
+    watch: &(dyn Watch + Sync),
+) -> Result<Mutation, Rejection> {
+    let document = base::corrected(printed)?;
+    let model = Model::build(&document).map_err(|d| document.reject(d))?;
+    let mut checkers = bench::checkers(&model).map_err(|d| document.reject(d))?;
+    let standings = base::standings(&model, &mut checkers);
+    drop(checkers);
+    let links = || {
+        standings
+            .iter()
+            .enumerate()
+            .flat_map(|(e, links)| links.iter().enumerate().map(move |(l, s)| ((e, l), s)))
+    };
+    let with = |wanted: &[Standing]| -> Vec<LinkAt> {
+        links()
+            .filter(|(_, s)| wanted.contains(s))
+            .map(|(at, _)| at)
+            .collect()
+    };
+    let claims = with(&[Standing::True]);
+    let left_out = links()
+        .filter_map(|((e, l), standing)| match standing {
+            Standing::Out(why) => Some(LeftOut {
+                label: model.equations[e].label.clone(),
+                member: model.equations[e].links[l].member,
+                why: why.clone(),
+            }),
+            _ => None,
+        })
+        .collect();
+    let mutants = mutants::mutants(&model, &with(&[Standing::True, Standing::Defines]));
+    let possible = mutants.len();
+    let mutants = match options.limit {
+        Some(limit) => sample(mutants, limit, options.seed),
+        None => mutants,
+    };
+    let dependences = Dependences::of(&model, &claims);
+    let plan = Plan {
+        document: &document,
+        claims: &claims,
+        dependences: &dependences,
+        decide,
+    };
+    watch.begin("mutating", mutants.len());
+    let fates = in_parallel(&plan, options.threads, mutants.len(), watch, |bench, k| {
+        bench.fate(&mutants[k])
+    });
+    watch.end();
+    let mut tried: Vec<Tried> = Vec::new();
+    let mut finished: Vec<&Mutant> = Vec::new();
+    for (mutant, fate) in mutants.iter().zip(fates) {
+        if let Some(fate) = fate {
+            finished.push(mutant);
+            tried.push(told(&model, &standings, mutant, fate));
+        }
+    }
+    let chosen = repairs::chosen(&tried, &finished, options);
+    watch.begin("repairing", chosen.len());
+    let found = in_parallel(&plan, options.threads, chosen.len(), watch, |bench, k| {
+        bench.repair(finished[chosen[k]])
+    });
+    watch.end();
+    for (k, repair) in chosen.into_iter().zip(found) {
+        tried[k].repair = repair;
+    }
+    Ok(Mutation {
+        document: printed.name.clone(),
+        title: printed.title.clone(),
+        seed: options.seed,
+        possible,
+        tried,
+        left_out,
+    })
+}
+
+fn told(model: &Model, standings: &[Vec<Standing>], mutant: &Mutant, fate: Fate) -> Tried {
+    let (e, l) = mutant.at;
+    let equation = &model.equations[e];
+    Tried {
+        label: equation.label.clone(),
+        member: equation.links[l].member,
+        definition: standings[e][l] == Standing::Defines,
+        class: mutant.class,
+        from: mutant.edit.printed.clone(),
+        to: mutant.edit.corrected.clone(),
+        printed: latex::write_display(&equation.display),
+        mutant: latex::write_display(&mutant.display),
+        fate,
+        repair: None,
+    }
+}
+
+/// Does units of work on benches of their own, one for each thread, and gives the results in the
+/// order of the units: none for a unit that an interruption has left undone.
+fn in_parallel<T: Send>(
+    plan: &Plan<'_>,
+    threads: usize,
+    units: usize,
+    watch: &(dyn Watch + Sync),
+    work: impl Fn(&mut Bench<'_, '_>, usize) -> T + Sync,
+) -> Vec<Option<T>> {
+    use std::sync::Mutex;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    let results: Vec<Mutex<Option<T>>> = (0..units).map(|_| Mutex::new(None)).collect();
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        // A model of its own: letters for functions are given out in the order of this thread's work.
+        let Ok(model) = Model::build(plan.document) else {
+            return;
+        };
+        let Ok(mut bench) = Bench::new(plan, &model) else {
+            return;
+        };
+        while !watch.stop() {
+            let k = next.fetch_add(1, Ordering::Relaxed);
+            if k >= units {
+                break;
+            }
+            let result = work(&mut bench, k);
+            if let Ok(mut slot) = results[k].lock() {
+                *slot = Some(result);
+            }
+            watch.advance();
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, units.max(1)) {
+            scope.spawn(|| with_deep_stack(worker));
+        }
+    });
+    results
+        .into_iter()
+        .map(|slot| slot.into_inner().ok().flatten())
+        .collect()
+}

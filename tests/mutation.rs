@@ -1,0 +1,521 @@
+//! The checker is worth what it rejects: damaged equations do not pass, equivalent ones are not
+//! refuted, and checkers that are blind in one way or another are caught by the very figures that
+//! the program publishes.
+
+use rederive::audit::Audit;
+use rederive::check;
+use rederive::document::{Document, VerdictWord};
+use rederive::expr::{Display, Expr, ExprKind, Sign};
+use rederive::input;
+use rederive::model::links::{Place, children_mut};
+use rederive::mutation::tally::{Tally, tally};
+use rederive::mutation::{
+    Case, Decide, Fate, Finding, Mutation, Options, TheChecker, Tried, mutate, mutate_by,
+};
+use rederive::progress::{Unwatched, Watch};
+use rederive::report::mutation::{json, plain};
+use rederive::verdict::EditClass;
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// A lens, with every kind of place an edit can be in, and a definition that nothing tells apart.
+const LENS: &str = r#"
+```toml symbols
+f = { unit = "m", positive = true, value = "1/20", meaning = "focal length" }
+g = { unit = "m", positive = true, value = "1/5",  meaning = "distance of the object" }
+```
+```math 1 define
+b = \frac{fg}{g - f}
+```
+```math 2 claim
+\frac{1}{f} = \frac{1}{g} + \frac{1}{b}
+```
+```math 3 claim
+(g - f)(b - f) = f^2
+```
+```math 4 claim
+2b(g - f) = 2fg = fg + gf
+```
+```math 5 define
+h = 3f
+```
+"#;
+
+fn document(text: &str) -> Document {
+    Document::parse("small.md", text).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"))
+}
+
+fn read(path: &str) -> Document {
+    Document::read(&Path::new(ROOT).join(path)).unwrap_or_else(|rejection| panic!("{rejection}"))
+}
+
+fn options() -> Options {
+    Options {
+        repairs: Some(0),
+        ..Options::default()
+    }
+}
+
+fn mutation(text: &str) -> Mutation {
+    mutate(&document(text), &options(), &Unwatched)
+        .unwrap_or_else(|rejection| panic!("{rejection}"))
+}
+
+fn total(mutation: &Mutation) -> Tally {
+    tally([mutation]).0
+}
+
+/// What is wrong with the figures of a checker: nothing, if it is sound and sees.
+fn faults(mutation: &Mutation) -> Vec<String> {
+    let told = |tried: &Tried| format!("({}.{}) {}", tried.label, tried.member, tried.mutant);
+    let faults = mutation.tried.iter().filter(|tried| {
+        let alarm = matches!(
+            tried.fate,
+            Fate::Refuted {
+                false_alarm: true,
+                ..
+            }
+        );
+        alarm || tried.fate == Fate::Survived
+    });
+    faults.map(told).collect()
+}
+
+#[test]
+fn the_lens_refutes_what_is_not_equivalent() {
+    let mutation = mutation(LENS);
+    assert_eq!(faults(&mutation), Vec::<String>::new());
+    assert_eq!(mutation.left_out, Vec::new());
+    let total = total(&mutation);
+    assert_eq!(total.mutants, mutation.possible);
+    assert_eq!(
+        total.mutants,
+        total.refuted + total.equivalent + total.undecided + total.survived
+    );
+    assert!(total.refuted > 50 && total.equivalent > 0, "{total:?}");
+    // (5) is used nowhere: what it says is never called refuted.
+    for tried in mutation.tried.iter().filter(|t| t.label == "5") {
+        let pass = matches!(
+            tried.fate,
+            Fate::Undecided(_) | Fate::Meaningless { .. } | Fate::Equivalent(_)
+        );
+        assert!(pass, "{tried:?}");
+    }
+    // A damaged definition is refuted by a claim that depends on it.
+    let sign = mutation
+        .tried
+        .iter()
+        .find(|t| t.label == "1" && t.class == EditClass::Sign && t.to.contains("g + f"))
+        .expect("the sign in the definition");
+    assert!(
+        matches!(&sign.fate, Fate::Refuted { by, .. } if by.0 != "1"),
+        "{:?}",
+        sign.fate
+    );
+}
+
+/// A sample of each document inside the program; `rederive mutate` tries all.
+#[test]
+fn no_mutant_of_the_papers_survives() {
+    for input in input::read::<&str>(&[]) {
+        let document = input.unwrap_or_else(|rejection| panic!("{rejection}"));
+        let options = Options {
+            limit: Some(8),
+            ..options()
+        };
+        let mutation = mutate(&document, &options, &Unwatched)
+            .unwrap_or_else(|rejection| panic!("{rejection}"));
+        assert_eq!(faults(&mutation), Vec::<String>::new(), "{}", document.name);
+        assert!(total(&mutation).refuted > 0, "{}", document.name);
+    }
+}
+
+/// The values that are kept from the undamaged document, and the equation put in place of another,
+/// give what the program says of the damaged text itself.
+#[test]
+fn the_damaged_text_has_the_same_verdicts() {
+    let documents = [
+        (document(LENS), 400),
+        (read("proofs/schiehlen-2006/nonlinear-example.md"), 12),
+        (read("proofs/schiehlen-2006/variance-integral.md"), 12),
+        (read("proofs/schiehlen-2006/multibody.md"), 8),
+        (read("proofs/schiehlen-2006/quarter-car-filter-1.md"), 8),
+    ];
+    for (document, limit) in documents {
+        let options = Options {
+            limit: Some(limit),
+            seed: 5,
+            ..options()
+        };
+        let mutation = mutate(&document, &options, &Unwatched)
+            .unwrap_or_else(|rejection| panic!("{rejection}"));
+        let sound = words(&document).expect("a document that can be checked");
+        for tried in &mutation.tried {
+            let equation = document
+                .equations
+                .iter()
+                .find(|e| e.label.text == tried.label)
+                .expect("the equation");
+            let mut text = document.text.clone();
+            let (start, end) = (equation.body.span.start, equation.body.span.end);
+            text.replace_range(start..end, &format!("{}\n", tried.mutant));
+            let damaged = Document::parse(&document.name, &text)
+                .ok()
+                .and_then(|d| words(&d));
+            let rejected = match &damaged {
+                None => true,
+                Some(damaged) => damaged.iter().any(|(link, word)| {
+                    let before = sound.iter().find(|(l, _)| l == link).map(|(_, w)| *w);
+                    let is =
+                        |w: VerdictWord| matches!(w, VerdictWord::Refuted | VerdictWord::Misprint);
+                    is(*word) && before.is_none_or(|before| !is(before))
+                }),
+            };
+            match &tried.fate {
+                Fate::Refuted { .. } => assert!(rejected, "{}: {tried:?}", document.name),
+                // What has no value is refused, refuted, left undecided, or the definition of another
+                // name than the document has.
+                Fate::Meaningless { .. } => {
+                    let no_claim = damaged.is_some_and(|damaged| {
+                        let mut links = damaged.iter().zip(&sound);
+                        links.any(|((_, word), (_, before))| {
+                            let silent =
+                                matches!(word, VerdictWord::Undecided | VerdictWord::Definition);
+                            silent && word != before
+                        })
+                    });
+                    assert!(rejected || no_claim, "{}: {tried:?}", document.name);
+                }
+                Fate::Equivalent(_) | Fate::Undecided(_) | Fate::Survived => {
+                    assert!(!rejected, "{}: {tried:?}", document.name);
+                }
+            }
+        }
+    }
+}
+
+/// The verdicts without the search for corrections; none where the document is refused.
+fn words(document: &Document) -> Option<Vec<(String, VerdictWord)>> {
+    let options = check::Options {
+        repair: false,
+        ..check::Options::default()
+    };
+    let audit = Audit::of(document, options).ok()?;
+    let words = audit.outcomes.iter().map(|o| {
+        let label = &audit.model.equations[o.equation].label;
+        (format!("{label}.{}", o.member), o.verdict.word())
+    });
+    Some(words.collect())
+}
+
+/// Judges that do not look.
+struct Always(Finding);
+
+impl Decide for Always {
+    fn decide(&self, _: &Case<'_>, _: &mut dyn FnMut() -> Finding) -> Finding {
+        self.0.clone()
+    }
+}
+
+/// A checker that takes two equations for the same if they are so once something is erased.
+struct Blind(fn(&mut Expr));
+
+impl Decide for Blind {
+    fn decide(&self, case: &Case<'_>, checker: &mut dyn FnMut() -> Finding) -> Finding {
+        let seen = |display: &Display| {
+            let mut display = display.clone();
+            for clause in 0..display.clauses.len() {
+                for member in 0..display.clauses[clause].chain.members.len() {
+                    if let Some(expr) = (Place::Member { clause, member }).find_mut(&mut display) {
+                        erase(expr, self.0);
+                    }
+                }
+            }
+            display
+        };
+        if seen(case.original) == seen(case.changed) {
+            Finding::Accepted
+        } else {
+            checker()
+        }
+    }
+}
+
+fn erase(expr: &mut Expr, what: fn(&mut Expr)) {
+    for child in children_mut(expr) {
+        erase(child, what);
+    }
+    what(expr);
+}
+
+fn signs(expr: &mut Expr) {
+    if let ExprKind::Sum(terms) = &mut expr.kind {
+        for (sign, _) in terms {
+            *sign = Sign::Plus;
+        }
+    }
+    if let ExprKind::Sum(terms) = &expr.kind
+        && let [(_, only)] = terms.as_slice()
+    {
+        expr.kind = only.kind.clone();
+    }
+}
+
+fn exponents(expr: &mut Expr) {
+    if let ExprKind::Power { base, .. } = &expr.kind {
+        expr.kind = base.kind.clone();
+    }
+}
+
+#[test]
+fn blind_checkers_are_caught() {
+    let judged = |decide: &dyn Decide| {
+        mutate_by(&document(LENS), &options(), decide, &Unwatched)
+            .unwrap_or_else(|rejection| panic!("{rejection}"))
+    };
+    let sound = judged(&TheChecker);
+    assert_eq!(faults(&sound), Vec::<String>::new());
+
+    let accepting = judged(&Always(Finding::Accepted));
+    let refuted = |m: &Mutation, claim: bool| {
+        let of_claims = m.tried.iter().filter(|t| t.definition != claim);
+        of_claims
+            .filter(|t| matches!(t.fate, Fate::Refuted { .. }))
+            .count()
+    };
+    assert!(total(&accepting).survived >= refuted(&sound, true));
+    // What a definition hides from such a checker is at least no pass.
+    assert!(total(&accepting).undecided > total(&sound).undecided);
+
+    let rejecting = judged(&Always(Finding::Refuted));
+    assert!(total(&rejecting).false_alarms >= total(&sound).equivalent);
+    let shrugging = judged(&Always(Finding::Undecided("who knows".into())));
+    assert_eq!(total(&shrugging).refuted, total(&shrugging).meaningless);
+    assert!(total(&shrugging).undecided > total(&sound).undecided);
+
+    for (blind, class) in [
+        (Blind(signs), EditClass::Sign),
+        (Blind(exponents), EditClass::Exponent),
+    ] {
+        let mutation = judged(&blind);
+        let survived = mutation.tried.iter().filter(|t| t.fate == Fate::Survived);
+        let classes: Vec<EditClass> = survived.map(|t| t.class).collect();
+        assert!(classes.contains(&class), "{class:?}");
+        assert!(classes.iter().all(|c| *c == class), "{classes:?}");
+    }
+}
+
+#[test]
+fn the_same_figures_from_any_number_of_threads() {
+    let document = read("proofs/schiehlen-2006/variance-integral.md");
+    let run = |threads| {
+        let options = Options {
+            threads,
+            limit: Some(30),
+            repairs: Some(3),
+            ..Options::default()
+        };
+        mutate(&document, &options, &Unwatched).unwrap_or_else(|rejection| panic!("{rejection}"))
+    };
+    let (one, two) = (run(1), run(2));
+    assert_eq!(one, two);
+    assert_eq!(plain(&one), plain(&run(3)));
+}
+
+#[test]
+fn a_seed_draws_its_own_sample() {
+    let drawn = |seed, limit| {
+        let options = Options {
+            seed,
+            limit: Some(limit),
+            ..options()
+        };
+        let mutation = mutate(&document(LENS), &options, &Unwatched)
+            .unwrap_or_else(|rejection| panic!("{rejection}"));
+        assert_eq!(mutation.seed, seed);
+        mutation.tried
+    };
+    assert_eq!(drawn(1, 10).len(), 10);
+    assert_eq!(drawn(1, 10), drawn(1, 10));
+    assert_ne!(drawn(1, 10), drawn(2, 10));
+    assert_eq!(drawn(1, 0), Vec::new());
+    assert_eq!(drawn(1, 100_000).len(), mutation(LENS).possible);
+}
+
+#[test]
+fn the_search_finds_its_way_back() {
+    let options = Options {
+        repairs: Some(12),
+        ..Options::default()
+    };
+    let mutation = mutate(&document(LENS), &options, &Unwatched)
+        .unwrap_or_else(|rejection| panic!("{rejection}"));
+    let total = total(&mutation);
+    assert_eq!(total.repairs_tried, 12);
+    assert!(total.repaired_first <= total.repaired_any);
+    assert!(total.repaired_any <= total.repairs_tried);
+    assert!(total.repaired_first > 6, "{total:?}");
+}
+
+/// What is not true is not damaged: every mutant of it would be refuted for nothing.
+#[test]
+fn nothing_true_gives_nothing_to_count() {
+    let nothing = mutation(
+        "```toml symbols\nx = { meaning = \"\" }\n```\n```math 1 claim\nx = x^2 + 7x^5\n```\n",
+    );
+    assert_eq!(nothing.possible, 0);
+    assert_eq!(nothing.left_out.len(), 1);
+    assert!(plain(&nothing).contains("(1.1) false as it stands"));
+    let symbols = mutation("```toml symbols\nx = { meaning = \"\" }\n```\n");
+    assert_eq!((symbols.possible, symbols.left_out), (0, Vec::new()));
+}
+
+/// A misprint is mended first, and what is damaged is the mended equation.
+#[test]
+fn a_misprint_is_mended_before_it_is_damaged() {
+    let misprint = LENS.replace("(g - f)(b - f) = f^2", "(g - f)(b - f) = f^3");
+    let mended = mutation(&misprint);
+    assert_eq!(mended.left_out, Vec::new());
+    assert_eq!(faults(&mended), Vec::<String>::new());
+    let sound = mutation(LENS);
+    let three = |m: &Mutation| -> Vec<(String, Fate)> {
+        let of = m.tried.iter().filter(|t| t.label == "3");
+        of.map(|t| (t.mutant.clone(), t.fate.clone())).collect()
+    };
+    assert_eq!(three(&mended), three(&sound));
+}
+
+/// Stops after so many units.
+struct Impatient(AtomicUsize);
+
+impl Watch for Impatient {
+    fn begin(&self, _: &str, _: usize) {}
+    fn advance(&self) {
+        self.0.fetch_add(1, Ordering::SeqCst);
+    }
+    fn end(&self) {}
+    fn stop(&self) -> bool {
+        self.0.load(Ordering::SeqCst) >= 7
+    }
+}
+
+#[test]
+fn an_interrupted_run_keeps_what_is_finished() {
+    let watch = Impatient(AtomicUsize::new(0));
+    let options = Options {
+        threads: 1,
+        ..options()
+    };
+    let mutation =
+        mutate(&document(LENS), &options, &watch).unwrap_or_else(|rejection| panic!("{rejection}"));
+    assert_eq!(mutation.tried.len(), 7);
+    assert!(mutation.possible > 7);
+    assert!(plain(&mutation).contains("7 of "));
+}
+
+fn rederive(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_rederive"))
+        .args(arguments)
+        .current_dir(ROOT)
+        .output()
+        .expect("the program runs")
+}
+
+fn file(name: &str, text: &str) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mutation");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join(name);
+    std::fs::write(&path, text).expect("a file");
+    path.display().to_string()
+}
+
+#[test]
+fn the_figures_for_programs() {
+    let lens = file("lens.md", LENS);
+    let arguments = ["mutate", "--json", "--repair", "5", "--limit", "60", &lens];
+    let output = rederive(&arguments);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(output.stdout, rederive(&arguments).stdout);
+    let figures: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let mut schemas = boon::Schemas::new();
+    let mut compiler = boon::Compiler::new();
+    let path = format!("{ROOT}/schemas/mutation.schema.json");
+    let index = compiler.compile(&path, &mut schemas).expect("a schema");
+    if let Err(error) = schemas.validate(&figures, index) {
+        panic!("{error:#}");
+    }
+    let count = |key: &str| figures["total"][key].as_u64().expect("a number");
+    assert_eq!(count("mutants"), 60);
+    assert_eq!(
+        count("mutants"),
+        count("refuted") + count("equivalent") + count("undecided") + count("survived")
+    );
+    assert_eq!(figures["repairs_tried"], 5);
+    assert_eq!(figures["survivors"], serde_json::json!([]));
+    let classes = figures["by_class"].as_object().expect("an object").values();
+    let sum: u64 = classes.filter_map(|c| c["mutants"].as_u64()).sum();
+    assert_eq!(sum, 60);
+    assert_eq!(
+        figures["equivalents"].as_array().map(Vec::len),
+        usize::try_from(count("equivalent")).ok()
+    );
+}
+
+#[test]
+fn bad_input_has_its_exit_code() {
+    let empty = file("empty.md", "");
+    let open = file("open.md", "```math 1 claim\nx = (y\n```\n");
+    for path in [&empty, &open] {
+        let output = rederive(&["mutate", path]);
+        assert_eq!(output.status.code(), Some(3), "{path}");
+        assert!(!output.stderr.is_empty());
+    }
+    let lens = file("lens-2.md", LENS);
+    for arguments in [
+        ["mutate", "--repair", "many", &lens],
+        ["mutate", "--limit", "-1", &lens],
+        ["mutate", "--seed", "x", &lens],
+    ] {
+        assert_eq!(rederive(&arguments).status.code(), Some(3), "{arguments:?}");
+    }
+    let output = rederive(&["mutate", "--limit", "0", &lens]);
+    assert_eq!(output.status.code(), Some(0));
+    let none = String::from_utf8(output.stdout).expect("text");
+    assert!(none.contains("0 of "), "{none}");
+}
+
+/// A document whose linear system has no small solution ends at a limit instead of the memory's.
+#[test]
+fn mutants_beyond_all_limits_are_undecided() {
+    let letters: Vec<String> = (1..=9)
+        .map(|k| format!("'x_{k}' = {{ meaning = \"\" }}\n'y_{k}' = {{ meaning = \"\" }}\n"))
+        .collect();
+    let matrix = |l: char| {
+        let row = |r: usize| format!("{l}_{} & {l}_{} & {l}_{}", 3 * r + 1, 3 * r + 2, 3 * r + 3);
+        format!(
+            r"\begin{{bmatrix}} {} \\ {} \\ {} \end{{bmatrix}}",
+            row(0),
+            row(1),
+            row(2)
+        )
+    };
+    let text = format!(
+        "```toml symbols\n{}```\n```math 1 define\n\\mathbf{{A}} = {}, \\quad \\mathbf{{B}} = {}\n```\n\
+         ```math 2 solve \\mathbf{{X}}\n\\mathbf{{A}}\\mathbf{{X}}\\mathbf{{B}} + \
+         \\mathbf{{B}}\\mathbf{{X}}\\mathbf{{A}} + \\mathbf{{X}} = \\mathbf{{A}}\n```\n",
+        letters.concat(),
+        matrix('x'),
+        matrix('y')
+    );
+    let document = document(&text);
+    let audit = Audit::of(&document, check::Options::default())
+        .unwrap_or_else(|rejection| panic!("{rejection}"));
+    let words: Vec<VerdictWord> = audit.outcomes.iter().map(|o| o.verdict.word()).collect();
+    assert_eq!(words.last(), Some(&VerdictWord::Undecided));
+    let figures = json::figures(&[], 1);
+    assert!(serde_json::to_string(&figures).is_ok());
+}
