@@ -29,7 +29,12 @@ impl<D: Domain> Evaluator<'_, D> {
             let mut replaced = self.replaced.iter();
             replaced.any(|r| r.symbols.contains(&argument))
         };
-        if self.model.argument_symbols(symbol).any(elsewhere) {
+        // By a hypothesis such as v' = 0 it has the same value everywhere.
+        let constant = || {
+            let rate = self.model.letter_of_symbol(symbol, order + 1);
+            rate.is_some_and(|rate| self.field.is_zero(&self.letters[rate]))
+        };
+        if self.model.argument_symbols(symbol).any(elsewhere) && !constant() {
             return Err(Failure::unsupported("a process at another argument", span));
         }
         // A constant has the derivative zero; a process has a letter for each order in use.
