@@ -85,8 +85,12 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
         DiagnosticKind::UndeclaredName { name } => (
             format!("nothing says what {} is", quote(name)),
             "not declared".into(),
-            "add it to the `toml symbols` or `toml notation` table, or define it in an equation"
-                .into(),
+            match name.as_str() {
+                "\\pi" => "if it is the number, add `'\\pi' = { constant = \"pi\" }` to the `toml notation` table",
+                "i" | "\\mathrm{i}" => "if it is the imaginary unit, add it to the `toml notation` table with `{ constant = \"i\" }`",
+                _ => "add it to the `toml symbols` or `toml notation` table, or define it in an equation",
+            }
+            .into(),
         ),
         DiagnosticKind::DuplicateName { name } => (
             format!("{} is declared or defined twice", quote(name)),
