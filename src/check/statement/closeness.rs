@@ -68,30 +68,54 @@ impl Ground {
         &self,
         f: &RationalFunction,
         to: Option<&RationalFunction>,
-        tolerance: &BigRational,
+        p: &Proposition,
     ) -> Found {
-        match to.and_then(|to| self.ratio(f, to)) {
-            Some(ratio) => {
-                let near = (&ratio - BigRational::one()).abs() <= *tolerance;
-                Found::of(decided(near), vec![deviation(&ratio)])
-            }
-            None => Found::undecided("there are no reference values"),
-        }
+        let one = RationalFunction::constant(self.ring, BigRational::one());
+        let off = |to: &RationalFunction| f.checked_div(to).ok().map(|ratio| ratio - one);
+        self.within(to.and_then(off), p, Measure::Deviation)
     }
 
     pub(super) fn small(
         &self,
         f: &RationalFunction,
         to: Option<&RationalFunction>,
-        tolerance: &BigRational,
+        p: &Proposition,
     ) -> Found {
-        match to.and_then(|to| self.ratio(f, to)) {
-            Some(ratio) => {
-                let word = decided(ratio.abs() <= *tolerance);
-                Found::of(word, vec![Fact::Number(Measure::Ratio, ratio.into())])
-            }
-            None => Found::undecided("there are no reference values"),
-        }
+        let ratio = |to: &RationalFunction| f.checked_div(to).ok();
+        self.within(to.and_then(ratio), p, Measure::Ratio)
+    }
+
+    /// Whether a number is no larger than the tolerance, at the reference point or, where the
+    /// statement is about its box, everywhere in there.
+    fn within(&self, f: Option<RationalFunction>, p: &Proposition, measure: Measure) -> Found {
+        let Some((f, value)) = f.and_then(|f| {
+            let value = self.at(&f)?;
+            Some((f, value))
+        }) else {
+            return Found::undecided("there are no reference values");
+        };
+        let at_reference = value.abs() <= p.tolerance;
+        let fact = Fact::Number(measure.clone(), value.into());
+        let Some(scope) = p.only_in_box.then(|| self.box_of(p)).flatten() else {
+            return Found::of(decided(at_reference), vec![fact]);
+        };
+        let Some((low, high)) = self.range(&f, &scope) else {
+            return Found::undecided("its range over the box is out of reach");
+        };
+        let inside = low.compare_rational(&-&p.tolerance).is_ge()
+            && high.compare_rational(&p.tolerance).is_le();
+        let word = match (inside, at_reference) {
+            (true, _) => VerdictWord::Holds,
+            (false, true) => VerdictWord::Loose,
+            (false, false) => VerdictWord::Refuted,
+        };
+        let range = Fact::Range {
+            measure,
+            low,
+            high,
+            scope,
+        };
+        Found::of(word, vec![range, fact])
     }
 }
 

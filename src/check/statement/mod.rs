@@ -218,8 +218,8 @@ impl Checker<'_> {
             },
             (Predicate::TendsTo, Some(x)) => ground.tends(&f, x, p.to_infinity, to.as_ref()),
             (Predicate::Equals, _) => ground.equals(&f, to.as_ref()),
-            (Predicate::CloseTo, _) => ground.close(&f, to.as_ref(), &p.tolerance),
-            (Predicate::SmallComparedWith, _) => ground.small(&f, to.as_ref(), &p.tolerance),
+            (Predicate::CloseTo, _) => ground.close(&f, to.as_ref(), p),
+            (Predicate::SmallComparedWith, _) => ground.small(&f, to.as_ref(), p),
             _ => Found::undecided("nothing says for which letter"),
         })
     }
