@@ -68,7 +68,7 @@ pub struct Letter {
 }
 
 /// A name as printed: a letter, its dots and its subscript.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Name {
     /// The letter.
     pub letter: Letter,
@@ -95,6 +95,11 @@ impl PartialEq for Subscript {
     }
 }
 impl Eq for Subscript {}
+impl std::hash::Hash for Subscript {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.label.hash(state);
+    }
+}
 
 /// Sign of a term in a sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

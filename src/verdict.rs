@@ -201,11 +201,13 @@ pub enum EditClass {
     Dot,
     /// A lost or superfluous term or factor.
     Term,
-    /// A bracket, a slash's reach, numerator and denominator.
+    /// A bracket, a bar's, a slash's or a root's reach, the order of matrices.
     Bracket,
     /// A transposition or prime.
     Transpose,
-    /// The measure of an integration.
+    /// Numerator and denominator.
+    Inversion,
+    /// The measure of an integration or its limits.
     Measure,
     /// Where a limit is taken.
     Limit,
@@ -224,6 +226,7 @@ impl EditClass {
             EditClass::Term => "term",
             EditClass::Bracket => "bracket",
             EditClass::Transpose => "transpose",
+            EditClass::Inversion => "numerator and denominator",
             EditClass::Measure => "measure of integration",
             EditClass::Limit => "limit",
         }

@@ -60,6 +60,7 @@ impl Checker<'_> {
             },
             class: EditClass::Limit,
             kind,
+            cost: super::edit::cost_of(EditClass::Limit),
         };
         let mut corrected = display.clone();
         let edit = replacement.describe(&display);

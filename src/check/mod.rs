@@ -8,7 +8,6 @@ mod conditions;
 mod definite;
 pub mod edit;
 pub mod effect;
-mod factors;
 mod hypotheses;
 mod identity;
 mod instances;

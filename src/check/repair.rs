@@ -7,7 +7,6 @@
 
 use super::Checker;
 use super::edit::{self, Address, Replacement};
-use super::factors::factors;
 use super::identity::Decision;
 use super::sides::sides_of;
 use crate::domain::{Domain, PRIME, PrimeField, Rationals};
@@ -48,21 +47,14 @@ impl<'m> Checker<'m> {
     ) -> Option<(Correction, Certificate)> {
         let display = self.exact.display(equation).clone();
         let places = [link.left, link.right];
-        let mut singles: Vec<Vec<Replacement>> = [
-            edit::dots_below,
-            edit::signs,
-            edit::indices,
-            edit::exponents,
-            edit::literals,
-            edit::letters,
-            edit::dots,
-            edit::transpositions,
-            edit::measures,
-        ]
-        .iter()
-        .map(|class| class(&display, &places))
-        .collect();
-        singles.push(factors(self.model, &display, link.right));
+        let context = edit::Context::of(self.model);
+        let mut singles: Vec<Vec<Replacement>> = Vec::new();
+        for single in edit::singles(&display, &places, &context) {
+            match singles.iter_mut().find(|class| class[0].class == single.class) {
+                Some(class) => class.push(single),
+                None => singles.push(vec![single]),
+            }
+        }
         let rows = edit::braces_under_all_rows(&display, link.right);
         let filter = Some(self.filter());
         let mut trials = Trials::new(&display, link, filter, 0, limit);

@@ -200,6 +200,7 @@ fn arguments(display: &Display, left: Place, refutation: &Refutation) -> Vec<Rep
             },
             class: EditClass::Letter,
             kind: ExprKind::Name(name),
+            cost: edit::cost_of(EditClass::Letter),
         })
         .collect()
 }

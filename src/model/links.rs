@@ -7,7 +7,7 @@
 use crate::expr::{Chain, Display, Expr, ExprKind, Relation};
 
 /// Where in a display an expression stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Place {
     /// Member `member` of the chain of clause `clause`.
     Member {

@@ -1,0 +1,177 @@
+//! Terms and factors dropped or added. What is added is taken from what the equation itself holds:
+//! its letters as factors and divisors, its terms and letters as terms; what the search solves for
+//! instead is in `solved`.
+
+use super::build::{factor, factors, number, product, quotient, sum, terms};
+use super::{Kind, Replacement, Scene, Site, name_of};
+use crate::expr::{Expr, ExprKind, QuotientStyle, Sign};
+use crate::verdict::EditClass;
+
+/// Terms of the equation that are tried in its sums.
+const TERMS: usize = 12;
+/// Letters of the equation that are tried as factors.
+const FACTORS: usize = 16;
+
+pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
+    let (letters, terms) = (letters(scene), pool(scene));
+    let mut found = Vec::new();
+    for site in &scene.sites {
+        dropped(site, &mut found);
+        with_factors(site, &letters, &mut found);
+        with_terms(site, &terms, &mut found);
+    }
+    found
+}
+
+fn edit(site: &Site<'_>, to: Expr) -> Replacement {
+    Replacement::new(site, EditClass::Term, to)
+}
+
+/// A term or factor left out; an integer factor left out is a slip of its own class.
+fn dropped(site: &Site<'_>, found: &mut Vec<Replacement>) {
+    let span = site.expr.span;
+    match &site.expr.kind {
+        ExprKind::Sum(terms) if terms.len() > 1 => {
+            for k in 0..terms.len() {
+                let mut fewer = terms.clone();
+                fewer.remove(k);
+                found.push(edit(site, sum(fewer, span)));
+            }
+        }
+        ExprKind::Product(items) => {
+            for k in 0..items.len() {
+                let mut fewer = items.clone();
+                let gone = fewer.remove(k);
+                let class = match gone.kind {
+                    ExprKind::Number(_) => EditClass::Factor,
+                    _ => EditClass::Term,
+                };
+                found.push(Replacement::new(site, class, product(fewer, span)));
+            }
+        }
+        ExprKind::Quotient {
+            numerator,
+            denominator,
+            style,
+        } => {
+            let class = match denominator.kind {
+                ExprKind::Number(_) => EditClass::Factor,
+                _ => EditClass::Term,
+            };
+            found.push(Replacement::new(site, class, factor((**numerator).clone())));
+            if !super::build::is_one(numerator) {
+                let one = number(1, numerator.span);
+                let reciprocal = quotient(one, (**denominator).clone(), *style, span);
+                found.push(edit(site, reciprocal).rarer(2));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The scalar letters of the equation.
+fn letters(scene: &Scene<'_>) -> Vec<Expr> {
+    let mut found: Vec<Expr> = Vec::new();
+    for site in &scene.sites {
+        let Some(name) = name_of(site.expr) else {
+            continue;
+        };
+        let atom = matches!(site.expr.kind, ExprKind::Name(_) | ExprKind::Apply { .. });
+        let in_apply = matches!(
+            site.parent.map(|p| &p.kind),
+            Some(ExprKind::Apply { .. } | ExprKind::Named { .. })
+        );
+        let scalar = scene.context.kind_of(name) != Kind::Matrix;
+        if atom && scalar && !in_apply && !site.is_count() && !found.contains(site.expr) {
+            found.push(site.expr.clone());
+        }
+    }
+    found.truncate(FACTORS);
+    found
+}
+
+/// A letter of the equation as a factor or divisor of a monomial.
+fn with_factors(site: &Site<'_>, letters: &[Expr], found: &mut Vec<Replacement>) {
+    let bracket = matches!(
+        site.expr.kind,
+        ExprKind::Underbrace { .. } | ExprKind::Matrix { .. } | ExprKind::Constant
+    );
+    let number = matches!(&site.expr.kind, ExprKind::Number(n) if n.numer() == &0.into());
+    let side = site.parent.is_none();
+    if !(site.is_monomial() || side) || bracket && !side || number {
+        return;
+    }
+    let span = site.expr.span;
+    for letter in letters {
+        let mut letter = letter.clone();
+        letter.span = span;
+        let mut more = factors(site.expr);
+        // A one with a factor is the factor; otherwise it comes last.
+        if super::build::is_one(site.expr) {
+            more.clear();
+        }
+        more.push(letter.clone());
+        found.push(edit(site, product(more, span)).rarer(3));
+        let below = match &site.expr.kind {
+            ExprKind::Quotient {
+                numerator,
+                denominator,
+                style,
+            } => {
+                let mut items = factors(denominator);
+                items.push(letter);
+                let items = product(items, span);
+                quotient((**numerator).clone(), items, *style, span)
+            }
+            _ => quotient(site.expr.clone(), letter, QuotientStyle::Bar, span),
+        };
+        found.push(edit(site, below).rarer(4));
+    }
+}
+
+/// The terms of the equation: those of its sums, then its letters and their products.
+fn pool(scene: &Scene<'_>) -> Vec<Expr> {
+    let mut found: Vec<Expr> = Vec::new();
+    let mut add = |expr: &Expr| {
+        let matrix = matches!(
+            expr.kind,
+            ExprKind::Matrix { .. } | ExprKind::Underbrace { .. }
+        );
+        if !matrix && !found.contains(expr) {
+            found.push(expr.clone());
+        }
+    };
+    for site in &scene.sites {
+        let whole = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Sum(_)) | None);
+        if whole && !matches!(site.expr.kind, ExprKind::Sum(_)) {
+            add(site.expr);
+        }
+    }
+    for letter in letters(scene) {
+        add(&letter);
+    }
+    add(&number(1, Default::default()));
+    found.truncate(TERMS);
+    found
+}
+
+/// A term of the equation added to a sum, or to what stands alone.
+fn with_terms(site: &Site<'_>, pool: &[Expr], found: &mut Vec<Replacement>) {
+    if !site.takes_terms() || matches!(site.expr.kind, ExprKind::Constant) {
+        return;
+    }
+    let span = site.expr.span;
+    let present = terms(site.expr);
+    for term in pool {
+        if present.iter().any(|(_, t)| t == term) {
+            continue;
+        }
+        let mut term = term.clone();
+        term.span = span;
+        for sign in [Sign::Plus, Sign::Minus] {
+            let mut more = present.clone();
+            more.push((sign, term.clone()));
+            found.push(edit(site, sum(more, span)).rarer(5));
+        }
+    }
+}
