@@ -174,6 +174,25 @@ impl FunctionTable {
         self.given.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// A table that gives out letters on its own from now on: what a search evaluates uses up none
+    /// of this one's reserve.
+    pub(crate) fn forked(&self) -> Self {
+        let given = self.lock();
+        let forked = Given {
+            letters: given.letters.clone(),
+            quadratics: Arc::clone(&given.quadratics),
+        };
+        FunctionTable {
+            given: Arc::new(Mutex::new(forked)),
+            ..self.clone()
+        }
+    }
+
+    /// How many letters are left.
+    pub(crate) fn remaining(&self) -> usize {
+        self.ring.len() - self.first - self.lock().letters.len()
+    }
+
     /// What a letter of the ring stands for, if it is a function.
     pub fn meaning(&self, letter: usize) -> Option<FunctionLetter> {
         let place = letter.checked_sub(self.first)?;

@@ -98,7 +98,9 @@ fn exchanged(
         let alike = other.letter.base == name.letter.base;
         let same_kind = context.kind_of(other) == kind;
         let same_font = other.letter.font == name.letter.font;
-        if other == name || !same_kind || !same_font || many && !candidate.near && !alike {
+        // Dots have a class of their own.
+        let dotted = other.undotted() == name.undotted();
+        if dotted || !same_kind || !same_font || many && !candidate.near && !alike {
             continue;
         }
         let same_unit = match (context.unit_of(name), context.unit_of(other)) {

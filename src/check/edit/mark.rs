@@ -90,7 +90,10 @@ fn dot_below(site: &Site<'_>) -> Vec<Replacement> {
                 subscript: Some(subscript),
                 ..name.clone()
             };
-            Replacement::new(site, EditClass::Dot, with_name(site.expr, renamed))
+            let mut edit = Replacement::new(site, EditClass::Dot, with_name(site.expr, renamed));
+            // A dot in an index is smaller than anything else that is printed.
+            edit.cost = 25;
+            edit
         })
         .collect()
 }

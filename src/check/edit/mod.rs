@@ -167,6 +167,17 @@ pub fn singles(display: &Display, places: &[Place], context: &Context) -> Vec<Re
         bound::edits,
     ];
     let mut found: Vec<Replacement> = classes.iter().flat_map(|class| class(&scene)).collect();
+    // What is named alone on a side is computed by the other, where slips are likelier.
+    for edit in &mut found {
+        let side = edit.address.place.find(display).map(build::inside);
+        let named = side.is_some_and(|e| match &e.kind {
+            ExprKind::Power { base, .. } => matches!(base.kind, ExprKind::Name(_)),
+            kind => matches!(kind, ExprKind::Name(_) | ExprKind::Apply { .. }),
+        });
+        if named && places.len() > 1 {
+            edit.cost += 1;
+        }
+    }
     found.sort_by_key(|r| r.cost);
     let mut seen: BTreeSet<(Address, String)> = BTreeSet::new();
     for site in &scene.sites {

@@ -1,9 +1,12 @@
 //! Braces that stand under the last of several rows and belong under all of them.
 
-use super::{Address, Replacement, cost_of};
+use super::{Address, Replacement};
 use crate::expr::{Bracket, Display, ExprKind};
 use crate::model::links::Place;
 use crate::verdict::EditClass;
+
+/// Few equations have such rows, and there is one way to mend them: before everything else.
+const BRACE: u32 = 5;
 
 /// Each whole member
 /// of a row with a brace takes what stands above it in the rows before.
@@ -28,7 +31,7 @@ pub fn braces_under_all_rows(display: &Display, place: Place) -> Vec<Replacement
             found.push(Replacement {
                 address: Address::of_side(Place::Body { clause, brace }),
                 class: EditClass::Bracket,
-                cost: cost_of(EditClass::Bracket),
+                cost: BRACE,
                 kind: ExprKind::Matrix {
                     rows: above.chain([(**body).clone()]).map(|e| vec![e]).collect(),
                     bracket: Bracket::Square,

@@ -142,7 +142,7 @@ fn pool(scene: &Scene<'_>) -> Vec<Expr> {
         }
     };
     for site in &scene.sites {
-        let whole = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Sum(_)) | None);
+        let whole = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Sum(_)));
         if whole && !matches!(site.expr.kind, ExprKind::Sum(_)) {
             add(site.expr);
         }

@@ -1,0 +1,162 @@
+//! Evaluators at a point over another field, and the slow filter for what the store cannot judge.
+
+use super::images::Images;
+use super::store::same;
+use crate::check::Checker;
+use crate::check::sides::sides_of;
+use crate::domain::{Domain, PrimeField, Symbolic};
+use crate::evaluate::{Evaluator, Failure, FailureKind, Key, Value};
+use crate::expr::Display;
+use crate::functions::FunctionTable;
+use crate::model::links::Link;
+use crate::span::Span;
+use ratpoly::RationalFunction;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// What a candidate is modulo the prime.
+pub(super) enum Passing {
+    /// The sides agree.
+    Agrees,
+    /// They differ, or have no value.
+    Differs,
+    /// Functions have no value there: only a proof can tell.
+    Unknown,
+}
+
+/// What a candidate display is, for all values of the running indices. `functions`: whether the
+/// document has letters for functions, which may have no values modulo the prime.
+pub(super) fn passes(
+    evaluator: &mut Evaluator<'_, PrimeField>,
+    functions: bool,
+    display: &Display,
+    link: &Link,
+) -> Passing {
+    match sides_of(evaluator, display, link, Span::default()) {
+        Ok(pairs) if pairs.iter().all(|(_, l, r)| same(l, r)) => Passing::Agrees,
+        Err(Failure {
+            kind: FailureKind::Unsupported { .. },
+            ..
+        }) if functions => Passing::Unknown,
+        _ => Passing::Differs,
+    }
+}
+
+/// The exact values of names, computed once for all evaluators at one point.
+pub(super) type Exact<'m> = Rc<RefCell<Evaluator<'m, Symbolic>>>;
+
+/// Both sides exactly, with letters for functions that nothing else uses.
+pub(super) struct ExactFilter<'m> {
+    checked: Evaluator<'m, Symbolic>,
+    fork: Evaluator<'m, Symbolic>,
+    table: Option<FunctionTable>,
+    inserted: Vec<(usize, RationalFunction)>,
+}
+
+impl<'m> ExactFilter<'m> {
+    pub fn new(checker: &Checker<'m>) -> Self {
+        let inserted = checker.inserted.iter();
+        ExactFilter {
+            checked: checker.exact.anew(),
+            fork: checker.exact.anew(),
+            table: None,
+            inserted: inserted.map(|(l, v)| (*l, v.clone())).collect(),
+        }
+    }
+
+    /// Whether the sides agree, with the definitions inserted.
+    pub fn agree(&mut self, display: &Display, link: &Link) -> bool {
+        let printed = self.checked.model().functions.as_ref();
+        let Some(table) = printed else {
+            return false;
+        };
+        let enough = |fork: &FunctionTable| 2 * fork.remaining() > table.remaining();
+        if !self.table.as_ref().is_some_and(enough) {
+            let fork = table.forked();
+            self.fork = self.checked.anew();
+            self.fork.field = Symbolic::with_functions(fork.clone());
+            self.table = Some(fork);
+        }
+        let Some(table) = &self.table else {
+            return false;
+        };
+        let image = |value: &RationalFunction| table.substitute(value, &self.inserted).ok();
+        let equal = |left: &RationalFunction, right: &RationalFunction| {
+            left == right || image(left).is_some() && image(left) == image(right)
+        };
+        sides_of(&mut self.fork, display, link, Span::default()).is_ok_and(|pairs| {
+            pairs.iter().all(|(_, left, right)| {
+                let zero = |v: &Value<RationalFunction>| v.entries().iter().all(|e| e.is_zero());
+                let shapes = left.shape() == right.shape();
+                zero(left) && zero(right)
+                    || shapes
+                        && left
+                            .entries()
+                            .into_iter()
+                            .zip(right.entries())
+                            .all(|(l, r)| equal(l, r))
+            })
+        })
+    }
+}
+
+impl<'m> Checker<'m> {
+    /// An evaluator over another field at a point, whose names have the images of their exact
+    /// values.
+    pub(super) fn evaluator_at<D>(
+        &self,
+        exact: Exact<'m>,
+        field: D,
+        point: Vec<D::Element>,
+        image: impl Fn(&RationalFunction, &[D::Element]) -> Result<D::Element, FailureKind> + 'm,
+    ) -> Evaluator<'m, D>
+    where
+        D: Domain + 'm,
+    {
+        let at = point.clone();
+        // A letter has the value that the hypotheses printed around the equation give it.
+        let letters = self.exact.letters().iter().zip(&point);
+        let point = letters
+            .map(|(letter, free)| image(letter, &at).unwrap_or_else(|_| free.clone()))
+            .collect();
+        let provider = move |key: &Key| -> Option<Result<Value<D::Element>, Failure>> {
+            let span = crate::span::Span::default();
+            let value = match exact.borrow_mut().value_of(key.clone(), span) {
+                Ok(value) => value,
+                Err(failure) => return Some(Err(failure)),
+            };
+            Some(value.try_map(|e| image(e, &at).map_err(|kind| Failure::new(kind, span))))
+        };
+        let mut evaluator = Evaluator::new(self.model, field, point)
+            .in_instance(self.instance)
+            .with_provider(Box::new(provider));
+        for (equation, display) in self.exact.corrections() {
+            evaluator.correct(*equation, display.clone());
+        }
+        evaluator
+    }
+
+    /// An exact evaluator of its own, with the corrections so far.
+    pub(super) fn exact_anew(&self) -> Exact<'m> {
+        Rc::new(RefCell::new(self.exact.anew()))
+    }
+
+    /// The same with its own reserve of letters for functions, and the images of all letters at a
+    /// random point; names have their exact values there.
+    pub(super) fn modulo_prime(&self) -> (Evaluator<'m, PrimeField>, Exact<'m>, Rc<Images>) {
+        let model = self.model;
+        let table = model.functions.as_ref().map(FunctionTable::forked);
+        let mut exact = self.exact.anew();
+        if let Some(table) = &table {
+            exact.field = Symbolic::with_functions(table.clone());
+        }
+        let exact = Rc::new(RefCell::new(exact));
+        let letters = model.letters.len();
+        let images = Rc::new(Images::new(letters, &self.inserted, table));
+        let at = Rc::clone(&images);
+        let image = move |value: &RationalFunction, _: &[u64]| at.image(value);
+        let point = images.point().to_vec();
+        let evaluator = self.evaluator_at(Rc::clone(&exact), PrimeField, point, image);
+        (evaluator, exact, images)
+    }
+}

@@ -1,0 +1,292 @@
+//! The search for the smallest correction of a refuted equation.
+//!
+//! Candidates are the single edits of [`super::edit`], the cheapest first; then slips repeated in
+//! one equation (a dot lost in each row); then pairs of edits. Each is evaluated modulo a 61-bit
+//! prime at a random point of the declared letters (Schwartz 1980, Zippel 1979): a candidate that is
+//! true as a formula passes, a false one passes with negligible probability, and what passes is
+//! then proved over the rational functions like any other claim.
+//!
+//! The number of candidates is bounded, and no clock decides.
+
+mod evaluators;
+mod images;
+mod pairs;
+mod rejected;
+mod sites;
+mod store;
+mod trivial;
+
+use super::Checker;
+use super::edit::{self, Replacement};
+use super::identity::Decision;
+use crate::expr::{Display, ExprKind};
+use crate::latex;
+use crate::model::links::Link;
+use crate::verdict::{Certificate, Correction, Edit, EditClass, Given};
+use sites::Trial;
+use std::collections::BTreeSet;
+
+/// How many candidates that the filter cannot judge are evaluated exactly.
+const EXACTLY: usize = 400;
+
+/// How many candidates that passed the filter are proved, the cheapest first.
+const PASSING: usize = 48;
+
+/// How many corrections beside the first are reported.
+const OTHERS: usize = 12;
+
+/// What a pair of edits costs more than its parts: two slips are rarer than one.
+const SECOND_SLIP: u32 = 40;
+
+/// Some edits, one after the other, and what they cost together.
+#[derive(Clone, Debug)]
+pub(super) struct Candidate {
+    steps: Vec<Replacement>,
+    cost: u32,
+}
+
+impl Candidate {
+    fn single(replacement: &Replacement) -> Self {
+        Candidate {
+            cost: replacement.cost,
+            steps: vec![replacement.clone()],
+        }
+    }
+
+    /// A slip repeated: each time after the first costs little.
+    fn repeated(steps: Vec<&Replacement>) -> Self {
+        let most = steps.iter().map(|r| r.cost).max().unwrap_or_default();
+        Candidate {
+            cost: most + 10 * (steps.len() as u32 - 1),
+            steps: steps.into_iter().cloned().collect(),
+        }
+    }
+}
+
+/// A correction that was proved.
+struct Proved {
+    candidate: Candidate,
+    display: Display,
+    given: Option<Given>,
+    proof: Certificate,
+}
+
+impl<'m> Checker<'m> {
+    /// The cheapest correction of a link with its proof, if one is found among `limit` candidates.
+    pub(crate) fn search(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        limit: usize,
+    ) -> Option<(Correction, Certificate)> {
+        let display = self.exact.display(equation).clone();
+        let places = [link.left, link.right];
+        let context = edit::Context::of(self.model);
+        let rows = edit::braces_under_all_rows(&display, link.right);
+        let singles = edit::singles(&display, &places, &context);
+        let mut trial = Trial::new(self, &display, link, limit);
+        let mut first: Vec<Candidate> = Vec::new();
+        if !rows.is_empty() {
+            first.push(Candidate::repeated(rows.iter().collect()));
+        }
+        first.extend(singles.iter().map(Candidate::single));
+        let passing = trial.passing(first);
+        if let Some(found) = self.prove(equation, link, &display, passing, &singles, &trial) {
+            return Some(found);
+        }
+        // One slip repeated: a lost dot in each row, both indices of a formula.
+        let mut repeated = Vec::new();
+        for size in 2..=4 {
+            for (class, largest) in [
+                (EditClass::Dot, 4),
+                (EditClass::Transpose, 3),
+                (EditClass::Index, 2),
+            ] {
+                if size <= largest {
+                    let class: Vec<&Replacement> =
+                        singles.iter().filter(|r| r.class == class).collect();
+                    let sets = combinations(&class, size, limit / 10);
+                    repeated.extend(sets.into_iter().map(Candidate::repeated));
+                }
+            }
+        }
+        let passing = trial.passing(repeated);
+        if let Some(found) = self.prove(equation, link, &display, passing, &singles, &trial) {
+            return Some(found);
+        }
+        let passing = trial.pairs(&singles);
+        self.prove(equation, link, &display, passing, &singles, &trial)
+    }
+
+    /// Proves the candidates that were not ruled out, the cheapest first, until one is proved and
+    /// those of the same cost are.
+    fn prove(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        display: &Display,
+        mut passing: Vec<Candidate>,
+        singles: &[Replacement],
+        trial: &Trial<'_, 'm>,
+    ) -> Option<(Correction, Certificate)> {
+        passing.sort_by_key(|candidate| candidate.cost);
+        let mut proved: Vec<Proved> = Vec::new();
+        let mut seen: BTreeSet<String> = BTreeSet::new();
+        for (k, candidate) in passing.into_iter().enumerate() {
+            let enough = proved.len() > OTHERS
+                || k >= PASSING && proved.iter().any(|p| p.candidate.cost < candidate.cost);
+            if enough || k >= EXACTLY {
+                break;
+            }
+            let corrected = edited(display, &candidate.steps);
+            let sides = [link.left, link.right].map(|p| p.find(&corrected).map(latex::write_expr));
+            let text = sides.map(Option::unwrap_or_default);
+            if text[0] == text[1] || !seen.insert(text.join(" = ")) {
+                continue;
+            }
+            if says_nothing(self, display, &corrected, link, &candidate) {
+                continue;
+            }
+            self.exact.correct(equation, corrected.clone());
+            let decision = match self.sides(equation, link) {
+                Ok(entries) => {
+                    let zero = |e: &crate::verdict::ResidualEntry| {
+                        e.left.is_zero() && e.right.is_zero()
+                    };
+                    if entries.iter().all(zero) && !trial.zero {
+                        continue;
+                    }
+                    self.decide_true(&entries, equation)
+                        .map(|decision| (decision, entries))
+                }
+                Err(_) => continue,
+            };
+            let (given, proof) = match decision {
+                Ok((Decision::Holds(by), entries)) => (None, self.certificate(entries, &by, None)),
+                Ok((Decision::HoldsGiven(by, given), _)) => {
+                    let open = given.cofactors.iter().map(|g| g.entry.clone()).collect();
+                    let proof = self.certificate(open, &by, Some(&given));
+                    (Some(given), proof)
+                }
+                _ => continue,
+            };
+            proved.push(Proved {
+                candidate,
+                display: corrected,
+                given,
+                proof,
+            });
+        }
+        self.exact.correct(equation, display.clone());
+        // Identities before equations that need a relation; of these what fits the units best.
+        proved.sort_by_key(|p| (p.given.is_some(), p.candidate.cost));
+        let mut proved = self
+            .fitting_units_best(equation, proved, |p| &p.display)
+            .into_iter();
+        let first = proved.next()?;
+        let edits = described(display, &first.candidate.steps);
+        let cost = first.candidate.cost;
+        let alternatives = proved
+            .filter(|p| p.candidate.cost == cost && p.given.is_some() == first.given.is_some())
+            .map(|p| described(display, &p.candidate.steps))
+            .collect();
+        let rejected = self.rejected(display, link, &first.candidate.steps, singles);
+        Some((
+            Correction {
+                edits,
+                display: first.display,
+                given: first.given,
+                tried: trial.tried,
+                alternatives,
+                rejected,
+            },
+            first.proof,
+        ))
+    }
+}
+
+/// Whether a correction only restates the claim or makes its sides the same by taking the content
+/// out of it.
+fn says_nothing(
+    checker: &Checker<'_>,
+    printed: &Display,
+    corrected: &Display,
+    link: &Link,
+    candidate: &Candidate,
+) -> bool {
+    let plain = |class: EditClass| !matches!(class, EditClass::Letter | EditClass::Index);
+    let pure = candidate.steps.len() == 1
+        && candidate.steps.iter().all(|step| plain(step.class))
+        && !uses_definitions(checker, printed, link);
+    !pure && trivial::is_restatement(corrected, link)
+        || trivial::zeros(corrected, link) > trivial::zeros(printed, link)
+}
+
+/// Whether a side names anything that has a definition.
+fn uses_definitions(checker: &Checker<'_>, display: &Display, link: &Link) -> bool {
+    use crate::model::names::Resolved;
+    let mut found = false;
+    for side in [link.left, link.right] {
+        if let Some(expr) = side.find(display) {
+            crate::model::links::visit(expr, &mut |e| {
+                if let ExprKind::Name(name) = &e.kind {
+                    let resolved = checker.model.resolve(name, &|_| false);
+                    found |= matches!(
+                        resolved,
+                        Ok(Resolved::Node { .. } | Resolved::Indexed { .. })
+                    );
+                }
+            });
+        }
+    }
+    found
+}
+
+/// A display with some edits made.
+fn edited(display: &Display, steps: &[Replacement]) -> Display {
+    let mut candidate = display.clone();
+    for step in steps {
+        step.apply(&mut candidate);
+    }
+    candidate
+}
+
+/// Edits in LaTeX, each of what the ones before it left.
+fn described(display: &Display, steps: &[Replacement]) -> Vec<Edit> {
+    let mut display = display.clone();
+    let mut found = Vec::new();
+    for step in steps {
+        found.extend(step.describe(&display));
+        step.apply(&mut display);
+    }
+    found
+}
+
+/// Combinations of `size` edits at different places, in order, at most `limit` of them.
+fn combinations<'r>(
+    class: &[&'r Replacement],
+    size: usize,
+    limit: usize,
+) -> Vec<Vec<&'r Replacement>> {
+    let mut class = class.to_vec();
+    class.sort_by(|one, other| one.address.cmp(&other.address));
+    let mut found: Vec<Vec<&Replacement>> = vec![Vec::new()];
+    for _ in 0..size {
+        let mut longer = Vec::new();
+        for combination in &found {
+            let from = combination.last().map(|last| &last.address);
+            for replacement in &class {
+                if longer.len() >= limit {
+                    break;
+                }
+                if from.is_none_or(|a| *a < replacement.address) {
+                    let mut next = combination.clone();
+                    next.push(*replacement);
+                    longer.push(next);
+                }
+            }
+        }
+        found = longer;
+    }
+    found
+}
