@@ -66,6 +66,9 @@ struct Check {
     /// Print one JSON object instead of tables.
     #[arg(long)]
     json: bool,
+    /// How many candidates for a correction are tried for each false equation.
+    #[arg(long, value_name = "N", default_value_t = Options::default().candidates)]
+    budget: usize,
 }
 
 #[derive(Debug, Args)]
@@ -180,7 +183,11 @@ pub fn main() -> ExitCode {
 }
 
 /// The documents that could be checked, and how many could not; these are reported at once.
-fn audits(paths: &[PathBuf], watch: &Terminal) -> io::Result<(Vec<Audit>, usize)> {
+fn audits(
+    paths: &[PathBuf],
+    options: Options,
+    watch: &Terminal,
+) -> io::Result<(Vec<Audit>, usize)> {
     let mut audits = Vec::new();
     let mut rejections = Vec::new();
     let documents = input::read(paths);
@@ -189,7 +196,7 @@ fn audits(paths: &[PathBuf], watch: &Terminal) -> io::Result<(Vec<Audit>, usize)
         if watch.stop() {
             break;
         }
-        let audit = document.and_then(|d| Audit::of(&d, Options::default()));
+        let audit = document.and_then(|d| Audit::of(&d, options));
         match audit {
             Ok(audit) => audits.push(audit),
             Err(rejection) => rejections.push(rejection),
@@ -209,7 +216,11 @@ fn report(rejection: &Rejection) -> io::Result<()> {
 }
 
 fn check(arguments: &Check, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let options = Options {
+        candidates: arguments.budget,
+        ..Options::default()
+    };
+    let (audits, rejected) = audits(&arguments.paths, options, watch)?;
     let inspections: Vec<Inspection> = audits
         .into_iter()
         .map(|audit| Inspection::watched(audit, watch))
@@ -255,7 +266,7 @@ fn told(pdf: Pdf, text: &str, folder: &Path) -> io::Result<()> {
 }
 
 fn methods(arguments: &MethodsArguments, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
     let mut out = io::stdout().lock();
     let mut found = false;
     for audit in &audits {
@@ -326,7 +337,7 @@ fn mutate(arguments: &MutateArguments, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
     let mut out = io::stdout().lock();
     let columns = usize::from(width(out.is_terminal()).unwrap_or(100)).clamp(40, 120);
     let mut found = false;
@@ -351,7 +362,7 @@ fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
     let documents: Vec<&Audit> = audits.iter().collect();
     let sheets = errata::sheets(&documents);
     let mut out = io::stdout().lock();
@@ -368,7 +379,7 @@ fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn figures(arguments: &Figures, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, watch)?;
+    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
     let documents: Vec<&Audit> = audits.iter().collect();
     let written = output::figures(&arguments.out, &documents)?;
     let mut out = io::stdout().lock();

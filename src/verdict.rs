@@ -150,6 +150,8 @@ pub struct Refutation {
     pub missing: Option<String>,
     /// Shapes in the equation that do not fit; then there is no residual.
     pub misfit: Option<Misfit>,
+    /// How far a correction was looked for in vain; none where it was not looked for or was found.
+    pub searched: Option<Searched>,
     /// Left minus right, the entries that do not vanish. With something missing, as if it were zero.
     pub residual: Vec<ResidualEntry>,
     /// A point where the sides differ.
@@ -246,19 +248,72 @@ pub struct Edit {
     pub corrected: String,
 }
 
+/// How many candidates for a correction were tried, and how many would have been at most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Searched {
+    /// Tried.
+    pub tried: usize,
+    /// The most.
+    pub budget: usize,
+}
+
+/// What a correction changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Changed {
+    /// The left side of the link.
+    Left,
+    /// The right side of the link.
+    Right,
+    /// An equation that defines what the link names, as an index into the model's equations.
+    Definition(usize),
+}
+
+/// Why one of several corrections at the same cost comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preferred {
+    /// The units of the others do not fit.
+    Units,
+    /// With it so many other links of the same equation hold, with the others fewer.
+    OtherLinks(usize),
+}
+
+/// A correction beside the first.
+#[derive(Clone, Debug)]
+pub struct Proposal {
+    /// The changes.
+    pub edits: Vec<Edit>,
+    /// The corrected display.
+    pub display: Display,
+    /// How far-fetched it is.
+    pub cost: u32,
+}
+
 /// An edit of an equation that makes it true.
 #[derive(Clone, Debug)]
 pub struct Correction {
     /// The changes.
     pub edits: Vec<Edit>,
-    /// The corrected display.
+    /// The corrected display; as printed where a definition is corrected.
     pub display: Display,
+    /// The definition that is corrected instead of the claim, and its corrected display.
+    pub definition: Option<(usize, Display)>,
+    /// What is changed.
+    pub changed: Vec<Changed>,
+    /// How far-fetched it is: ten times the rank of the class of each edit, and more for what is
+    /// rarer.
+    pub cost: u32,
     /// The relations that it still needs, if any, as in [`Given`].
     pub given: Option<Given>,
     /// How many candidates were tried, this one included.
     pub tried: usize,
+    /// How many would have been at most.
+    pub budget: usize,
     /// Other corrections at the same cost.
     pub alternatives: Vec<Vec<Edit>>,
+    /// All other corrections that were proved, these among them, the cheapest first.
+    pub others: Vec<Proposal>,
+    /// Why this one comes before the alternatives, where something says so.
+    pub preferred: Option<Preferred>,
     /// What came of the other readings of the same places.
     pub rejected: Vec<Rejected>,
 }

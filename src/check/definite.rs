@@ -288,6 +288,7 @@ impl Checker<'_> {
         });
         Refutation {
             flaw: None,
+            searched: None,
             missing: None,
             misfit: None,
             residual: vec![entry],

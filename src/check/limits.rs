@@ -12,7 +12,7 @@ use crate::functions::{FunctionTable, Impossible};
 use crate::model::links::{Link, Place, children_mut};
 use crate::model::names::Resolved;
 use crate::theory::limit::{Limit, Towards, limit};
-use crate::verdict::{Correction, EditClass, Flaw, Refutation, ResidualEntry, Verdict};
+use crate::verdict::{Changed, Correction, EditClass, Flaw, Refutation, ResidualEntry, Verdict};
 use num_traits::Zero;
 use ratpoly::RationalFunction;
 
@@ -77,8 +77,14 @@ impl Checker<'_> {
                     correction: Box::new(Correction {
                         edits: vec![edit],
                         display: corrected,
+                        definition: None,
+                        changed: vec![Changed::Right],
+                        cost: super::edit::cost_of(EditClass::Limit),
                         given: None,
                         tried: 1,
+                        budget: 1,
+                        others: Vec::new(),
+                        preferred: None,
                         alternatives: Vec::new(),
                         rejected: Vec::new(),
                     }),

@@ -50,7 +50,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             repair: true,
-            candidates: 200_000,
+            candidates: 2_000_000,
         }
     }
 }
@@ -470,22 +470,30 @@ impl<'m> Checker<'m> {
         &mut self,
         equation: usize,
         link: &Link,
-        refutation: Refutation,
+        mut refutation: Refutation,
         certificate: &mut Certificate,
     ) -> Verdict {
         if !self.options.repair {
             return Verdict::Refuted(refutation);
         }
         match self.search(equation, link, self.options.candidates) {
-            Some((correction, proof)) => {
+            Ok((correction, proof)) => {
                 *certificate = proof;
                 self.exact.correct(equation, correction.display.clone());
+                if let Some((definition, display)) = &correction.definition {
+                    self.exact.correct(*definition, display.clone());
+                    // It was computed so before the correction was accepted.
+                    let _ = self.insert_anew();
+                }
                 Verdict::Misprint {
                     refutation,
                     correction: Box::new(correction),
                 }
             }
-            None => Verdict::Refuted(refutation),
+            Err(searched) => {
+                refutation.searched = Some(searched);
+                Verdict::Refuted(refutation)
+            }
         }
     }
 
@@ -526,6 +534,9 @@ pub(crate) fn corrected<'m>(model: &'m Model, outcomes: &[Outcome]) -> Evaluator
     for outcome in outcomes {
         if let Verdict::Misprint { correction, .. } = &outcome.verdict {
             exact.correct(outcome.equation, correction.display.clone());
+            if let Some((definition, display)) = &correction.definition {
+                exact.correct(*definition, display.clone());
+            }
         }
     }
     exact

@@ -9,7 +9,7 @@ use super::edit::{self, Address, Replacement};
 use crate::expr::{Display, Expr, ExprKind, Name};
 use crate::latex;
 use crate::model::links::{Link, Place, children};
-use crate::verdict::{Correction, Edit, EditClass, Flaw, Refutation, Verdict};
+use crate::verdict::{Changed, Correction, Edit, EditClass, Flaw, Refutation, Verdict};
 
 /// The letters of an expression.
 #[derive(Default)]
@@ -133,8 +133,14 @@ impl Checker<'_> {
             correction: Box::new(Correction {
                 edits,
                 display: corrected,
+                definition: None,
+                changed: vec![Changed::Right],
+                cost: edit::cost_of(EditClass::Measure),
                 given: None,
                 tried,
+                budget: tried,
+                others: Vec::new(),
+                preferred: None,
                 alternatives,
                 rejected: Vec::new(),
             }),

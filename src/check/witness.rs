@@ -27,6 +27,7 @@ impl Checker<'_> {
             .find_map(|e| self.reference_witness(e));
         Refutation {
             flaw: None,
+            searched: None,
             missing: None,
             misfit: None,
             residual: open.iter().map(|e| (*e).clone()).collect(),
@@ -47,6 +48,7 @@ impl Checker<'_> {
         self.exact.lenient = false;
         let mut refutation = Refutation {
             flaw: None,
+            searched: None,
             missing: None,
             misfit: None,
             residual: Vec::new(),
@@ -158,6 +160,7 @@ impl Refutation {
     pub(crate) fn of_misfit(failure: &Failure) -> Refutation {
         Refutation {
             flaw: None,
+            searched: None,
             missing: None,
             misfit: failure.misfit(),
             residual: Vec::new(),

@@ -8,8 +8,8 @@ use crate::report::formula::{Formulas, Script};
 use crate::report::prose::Prose;
 use crate::theory::limit::Limit;
 use crate::verdict::{
-    Correction, Edit, Flaw, Given, GivenEntry, Misfit, Outcome, PositiveBy, Positivity, Refutation,
-    ResidualEntry, Verdict, Witness,
+    Correction, Edit, Flaw, Given, GivenEntry, Misfit, Outcome, PositiveBy, Positivity, Preferred,
+    Refutation, ResidualEntry, Searched, Verdict, Witness,
 };
 use ratpoly::RationalFunction;
 
@@ -113,7 +113,14 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
             correction,
         } => {
             let class = correction.edits.first().map_or("", |e| e.class.as_str());
-            Prose::of(format!("{class}: "))
+            let class = match &correction.definition {
+                Some((definition, _)) => {
+                    let label = &audit.model.equations[*definition].label;
+                    format!("definition ({label}), {class}: ")
+                }
+                None => format!("{class}: "),
+            };
+            Prose::of(class)
                 .then(edits(&correction.edits))
                 .words("; ")
                 .words(uniqueness(correction))
@@ -136,7 +143,18 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
             if let Some(witness) = &refutation.witness {
                 line = line.words("; ").then(values(formulas, witness));
             }
-            line
+            match refutation.searched {
+                Some(Searched { budget: 0, .. }) => {
+                    line.words("; no correction: the budget is empty")
+                }
+                Some(Searched { tried, budget }) if tried >= budget => line.words(format!(
+                    "; no correction within the budget of {budget} candidates"
+                )),
+                Some(Searched { tried, .. }) => {
+                    line.words(format!("; no correction among {tried} tried"))
+                }
+                None => line,
+            }
         }
         Verdict::Loose { measure, meaning } => Prose::of(format!("{meaning}: ")).formula(
             formulas.number(measure, Script::Latex),
@@ -376,15 +394,17 @@ pub fn edits(edits: &[Edit]) -> Prose {
 
 /// How the correction compares with others.
 pub fn uniqueness(correction: &Correction) -> String {
+    let tried = correction.tried;
+    let because = match correction.preferred {
+        Some(Preferred::Units) => ", and the one whose units fit",
+        Some(Preferred::OtherLinks(_)) => ", and the one with which more of the chain holds",
+        None => "",
+    };
     match correction.alternatives.len() {
-        0 => format!(
-            "the only correction at this cost among {} tried",
-            correction.tried
-        ),
+        0 => format!("the only correction at this cost{because} among {tried} tried"),
         n => format!(
-            "one of {} corrections at this cost among {} tried",
+            "one of {} corrections at this cost{because} among {tried} tried",
             n + 1,
-            correction.tried
         ),
     }
 }

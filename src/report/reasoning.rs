@@ -13,7 +13,7 @@ use crate::report::reason::{
 };
 use crate::verdict::{
     Because, Certificate, Correction, Given, NonVanishing, Outcome, Refutation, Rejected,
-    ResidualEntry, Verdict,
+    ResidualEntry, Searched, Verdict,
 };
 
 /// Entries of a matrix residual that are written out.
@@ -56,9 +56,16 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
         Verdict::Refuted(refutation) => {
             refutation_blocks(formulas, refutation, &mut blocks);
             blocks.extend(effect_block(audit, outcome));
-            blocks.push(Block::paragraph(Prose::of(
-                "None of the single edits and repeated slips that were tried makes it true.",
-            )));
+            blocks.push(Block::paragraph(Prose::of(match refutation.searched {
+                Some(Searched { budget: 0, .. }) => {
+                    "No correction: the budget is empty.".to_string()
+                }
+                Some(Searched { tried, budget }) => format!(
+                    "None of {tried} candidates makes it true: single edits, repeated slips, pairs \
+                     of edits, and edits of what it rests on (the budget was {budget})."
+                ),
+                None => "No correction was looked for.".to_string(),
+            })));
         }
         Verdict::Loose { .. }
         | Verdict::Undecided { .. }

@@ -104,7 +104,10 @@ impl Site<'_> {
                     | ExprKind::Matrix { .. }
                     | ExprKind::Call { .. },
                 ),
-            ) => !matches!(self.expr.kind, ExprKind::Matrix { .. } | ExprKind::Group { .. }),
+            ) => !matches!(
+                self.expr.kind,
+                ExprKind::Matrix { .. } | ExprKind::Group { .. }
+            ),
             _ => false,
         }
     }

@@ -75,8 +75,8 @@ fn limits(site: &Site<'_>, found: &mut Vec<Replacement>) {
 
 /// A limit of a sum that is no number: one off, or a factor or term less.
 fn range(site: &Site<'_>, found: &mut Vec<Replacement>) {
-    let limit = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::BigSum { .. }))
-        && site.step() < 2;
+    let limit =
+        matches!(site.parent.map(|p| &p.kind), Some(ExprKind::BigSum { .. })) && site.step() < 2;
     if !limit || matches!(site.expr.kind, ExprKind::Number(_)) {
         return;
     }

@@ -61,7 +61,10 @@ fn of_sum(terms: &[(Sign, Expr)], span: Span) -> Forms {
             let before = terms[from].0;
             for (closed, rare) in swallowed_before(term, &terms[from..k], *sign) {
                 let rare = rare + u32::from(from > 0);
-                found.push((spliced(terms, from, k + 1, vec![(before, closed)], span), rare));
+                found.push((
+                    spliced(terms, from, k + 1, vec![(before, closed)], span),
+                    rare,
+                ));
             }
         }
         // -(a - b) for -a - b: a bracket after a minus that ends too late or too early.

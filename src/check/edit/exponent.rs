@@ -30,7 +30,12 @@ fn changed(site: &Site<'_>, found: &mut Vec<Replacement>) {
     let base = (**base).clone();
     match literal_integer(exponent) {
         Some(value) => {
-            let others = [(value - 1, 0), (value + 1, 0), (value - 2, 2), (value + 2, 2)];
+            let others = [
+                (value - 1, 0),
+                (value + 1, 0),
+                (value - 2, 2),
+                (value + 2, 2),
+            ];
             for (other, rare) in others.into_iter().chain([(1, 1), (-value, 3)]) {
                 let plausible = other != 0 && other != value && (other > 0 || value < 0);
                 if plausible || other == -value {
@@ -186,7 +191,10 @@ fn moved(site: &Site<'_>, found: &mut Vec<Replacement>) {
             denominator,
             style,
         } => {
-            let (up, down) = (without_last_exponent(numerator), without_last_exponent(denominator));
+            let (up, down) = (
+                without_last_exponent(numerator),
+                without_last_exponent(denominator),
+            );
             if let Some((top, exponent)) = &up {
                 let below = with_last_raised(denominator, exponent);
                 let whole = quotient(top.clone(), (**denominator).clone(), *style, span);

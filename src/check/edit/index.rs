@@ -162,7 +162,6 @@ fn tuples(pool: &[Expr], length: usize) -> Vec<Vec<Expr>> {
     })
 }
 
-
 /// An index expression one more or one less.
 fn shifted(item: &Expr, sign: Sign) -> Expr {
     let step = if sign == Sign::Plus { 1 } else { -1 };

@@ -21,8 +21,8 @@ fn literals(site: &Site<'_>) -> Vec<Replacement> {
     let ExprKind::Number(value) = &site.expr.kind else {
         return Vec::new();
     };
-    let exponent = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Power { .. }))
-        && site.step() == 1;
+    let exponent =
+        matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Power { .. })) && site.step() == 1;
     if exponent {
         return Vec::new();
     }

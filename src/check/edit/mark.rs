@@ -11,12 +11,7 @@ pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let mut found = dots(scene);
     found.extend(scene.sites.iter().flat_map(dot_below));
     found.extend(scene.sites.iter().flat_map(|site| primes(scene, site)));
-    found.extend(
-        scene
-            .sites
-            .iter()
-            .filter_map(transposed),
-    );
+    found.extend(scene.sites.iter().filter_map(transposed));
     found
 }
 

@@ -44,4 +44,3 @@ pub fn braces_under_all_rows(display: &Display, place: Place) -> Vec<Replacement
     }
     found
 }
-

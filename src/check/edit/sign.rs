@@ -21,8 +21,8 @@ fn of_site(site: &Site<'_>) -> Vec<Replacement> {
         return (0..terms.len()).map(changed).collect();
     }
     let in_sum = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Sum(_)));
-    let exponent = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Power { .. }))
-        && site.step() == 1;
+    let exponent =
+        matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Power { .. })) && site.step() == 1;
     // The exponent 2 with a minus is a reciprocal, and rarer than a lost minus before a term.
     if exponent {
         return vec![edit(negated(site.expr.clone())).rarer(20)];

@@ -8,11 +8,14 @@
 //!
 //! The number of candidates is bounded, and no clock decides.
 
+mod definitions;
 mod evaluators;
 mod images;
+mod needed;
 mod pairs;
 mod rejected;
 mod sites;
+mod solved;
 mod store;
 mod trivial;
 
@@ -22,7 +25,9 @@ use super::identity::Decision;
 use crate::expr::{Display, ExprKind};
 use crate::latex;
 use crate::model::links::Link;
-use crate::verdict::{Certificate, Correction, Edit, EditClass, Given};
+use crate::verdict::{
+    Certificate, Changed, Correction, Edit, EditClass, Given, Preferred, Proposal, Searched,
+};
 use sites::Trial;
 use std::collections::BTreeSet;
 
@@ -34,6 +39,9 @@ const PASSING: usize = 48;
 
 /// How many corrections beside the first are reported.
 const OTHERS: usize = 12;
+
+/// How many combinations of one slip repeated are tried for each number of repetitions.
+const REPEATED: usize = 20_000;
 
 /// What a pair of edits costs more than its parts: two slips are rarer than one.
 const SECOND_SLIP: u32 = 40;
@@ -63,6 +71,9 @@ impl Candidate {
     }
 }
 
+/// A correction with its proof.
+pub(crate) type Found = (Correction, Certificate);
+
 /// A correction that was proved.
 struct Proved {
     candidate: Candidate,
@@ -72,27 +83,35 @@ struct Proved {
 }
 
 impl<'m> Checker<'m> {
-    /// The cheapest correction of a link with its proof, if one is found among `limit` candidates.
+    /// The cheapest correction of a link with its proof, if one is found among `budget` candidates.
+    ///
+    /// # Errors
+    /// How many candidates were tried in vain.
     pub(crate) fn search(
         &mut self,
         equation: usize,
         link: &Link,
-        limit: usize,
-    ) -> Option<(Correction, Certificate)> {
+        budget: usize,
+    ) -> Result<Found, Searched> {
+        let mut searched = Searched { tried: 0, budget };
+        if budget == 0 {
+            return Err(searched);
+        }
         let display = self.exact.display(equation).clone();
         let places = [link.left, link.right];
         let context = edit::Context::of(self.model);
         let rows = edit::braces_under_all_rows(&display, link.right);
         let singles = edit::singles(&display, &places, &context);
-        let mut trial = Trial::new(self, &display, link, limit);
+        let mut trial = Trial::new(self, &display, link, budget);
         let mut first: Vec<Candidate> = Vec::new();
         if !rows.is_empty() {
             first.push(Candidate::repeated(rows.iter().collect()));
         }
         first.extend(singles.iter().map(Candidate::single));
-        let passing = trial.passing(first);
-        if let Some(found) = self.prove(equation, link, &display, passing, &singles, &trial) {
-            return Some(found);
+        let mut passing = trial.passing(first);
+        passing.extend(trial.solved(&context));
+        if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
+            return Ok(found);
         }
         // One slip repeated: a lost dot in each row, both indices of a formula.
         let mut repeated = Vec::new();
@@ -105,17 +124,24 @@ impl<'m> Checker<'m> {
                 if size <= largest {
                     let class: Vec<&Replacement> =
                         singles.iter().filter(|r| r.class == class).collect();
-                    let sets = combinations(&class, size, limit / 10);
+                    let sets = combinations(&class, size, REPEATED);
                     repeated.extend(sets.into_iter().map(Candidate::repeated));
                 }
             }
         }
         let passing = trial.passing(repeated);
-        if let Some(found) = self.prove(equation, link, &display, passing, &singles, &trial) {
-            return Some(found);
+        if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
+            return Ok(found);
+        }
+        if let Some(found) = self.by_definition(equation, link, trial.tried, budget) {
+            return Ok(found);
         }
         let passing = trial.pairs(&singles);
-        self.prove(equation, link, &display, passing, &singles, &trial)
+        if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
+            return Ok(found);
+        }
+        searched.tried = trial.tried.min(budget);
+        Err(searched)
     }
 
     /// Proves the candidates that were not ruled out, the cheapest first, until one is proved and
@@ -124,11 +150,11 @@ impl<'m> Checker<'m> {
         &mut self,
         equation: usize,
         link: &Link,
-        display: &Display,
         mut passing: Vec<Candidate>,
         singles: &[Replacement],
         trial: &Trial<'_, 'm>,
-    ) -> Option<(Correction, Certificate)> {
+    ) -> Option<Found> {
+        let display = trial.display;
         passing.sort_by_key(|candidate| candidate.cost);
         let mut proved: Vec<Proved> = Vec::new();
         let mut seen: BTreeSet<String> = BTreeSet::new();
@@ -150,9 +176,8 @@ impl<'m> Checker<'m> {
             self.exact.correct(equation, corrected.clone());
             let decision = match self.sides(equation, link) {
                 Ok(entries) => {
-                    let zero = |e: &crate::verdict::ResidualEntry| {
-                        e.left.is_zero() && e.right.is_zero()
-                    };
+                    let zero =
+                        |e: &crate::verdict::ResidualEntry| e.left.is_zero() && e.right.is_zero();
                     if entries.iter().all(zero) && !trial.zero {
                         continue;
                     }
@@ -180,29 +205,108 @@ impl<'m> Checker<'m> {
         self.exact.correct(equation, display.clone());
         // Identities before equations that need a relation; of these what fits the units best.
         proved.sort_by_key(|p| (p.given.is_some(), p.candidate.cost));
-        let mut proved = self
-            .fitting_units_best(equation, proved, |p| &p.display)
-            .into_iter();
+        let equals = |proved: &[Proved]| {
+            let first = proved.first().map(sorting);
+            let same = proved.iter().filter(|p| Some(sorting(p)) == first);
+            (first, same.count())
+        };
+        let (cheapest, before) = equals(&proved);
+        let mut proved = self.fitting_units_best(equation, proved, |p| &p.display);
+        let by_units = equals(&proved).0 != cheapest || equals(&proved).1 < before;
+        let preferred = by_units.then_some(Preferred::Units);
+        let preferred = preferred.or_else(|| self.by_later_links(equation, link, &mut proved));
+        let mut proved = proved.into_iter();
         let first = proved.next()?;
-        let edits = described(display, &first.candidate.steps);
-        let cost = first.candidate.cost;
-        let alternatives = proved
-            .filter(|p| p.candidate.cost == cost && p.given.is_some() == first.given.is_some())
-            .map(|p| described(display, &p.candidate.steps))
-            .collect();
-        let rejected = self.rejected(display, link, &first.candidate.steps, singles);
-        Some((
-            Correction {
+        let steps = &first.candidate.steps;
+        let edits = described(display, steps);
+        let (mut alternatives, mut others) = (Vec::new(), Vec::new());
+        for other in proved {
+            let edits = described(display, &other.candidate.steps);
+            if sorting(&other) == sorting(&first) {
+                alternatives.push(edits.clone());
+            }
+            others.push(Proposal {
                 edits,
-                display: first.display,
-                given: first.given,
-                tried: trial.tried,
-                alternatives,
-                rejected,
-            },
-            first.proof,
-        ))
+                display: other.display,
+                cost: other.candidate.cost,
+            });
+        }
+        let rejected = self.rejected(display, link, steps, singles);
+        let mut changed: Vec<Changed> = Vec::new();
+        for step in steps {
+            let side = match step.address.place == link.left {
+                true => Changed::Left,
+                false => Changed::Right,
+            };
+            if !changed.contains(&side) {
+                changed.push(side);
+            }
+        }
+        let correction = Correction {
+            edits,
+            display: first.display,
+            definition: None,
+            changed,
+            cost: first.candidate.cost,
+            given: first.given,
+            tried: trial.tried.min(trial.limit),
+            budget: trial.limit,
+            alternatives,
+            others,
+            preferred,
+            rejected,
+        };
+        Some((correction, first.proof))
     }
+
+    /// Of several corrections at the lowest cost, first those with which most of the other links of
+    /// the equation hold; how many more do than with the others.
+    fn by_later_links(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        proved: &mut [Proved],
+    ) -> Option<Preferred> {
+        let lowest = proved.first().map(sorting)?;
+        let equals = proved.iter().take_while(|p| sorting(p) == lowest).count();
+        let links = &self.model.equations[equation].links;
+        let shared = |other: &Link| {
+            let places = [other.left, other.right];
+            other.member != link.member
+                && other.relation == link.relation
+                && (places.contains(&link.left) || places.contains(&link.right))
+        };
+        let others: Vec<Link> = links.iter().filter(|l| shared(l)).copied().collect();
+        if equals < 2 || others.is_empty() {
+            return None;
+        }
+        let before = self.exact.display(equation).clone();
+        let mut counts = Vec::new();
+        for one in proved.iter().take(equals) {
+            self.exact.correct(equation, one.display.clone());
+            let mut count = 0;
+            for other in &others {
+                if let Ok(entries) = self.sides(equation, other)
+                    && let Ok(Decision::Holds(_) | Decision::HoldsGiven(..)) =
+                        self.decide_true(&entries, equation)
+                {
+                    count += 1;
+                }
+            }
+            counts.push(count);
+        }
+        self.exact.correct(equation, before);
+        let most = counts.iter().copied().max()?;
+        let best = counts.iter().position(|c| *c == most)?;
+        proved[..=best].rotate_right(1);
+        let apart = counts.iter().any(|c| *c < most);
+        apart.then_some(Preferred::OtherLinks(most))
+    }
+}
+
+/// What corrections are compared by.
+fn sorting(proved: &Proved) -> (bool, u32) {
+    (proved.given.is_some(), proved.candidate.cost)
 }
 
 /// Whether a correction only restates the claim or makes its sides the same by taking the content

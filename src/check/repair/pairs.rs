@@ -7,19 +7,15 @@
 //! pairs. Below a matrix product, a running sum or a function nothing is needed in particular;
 //! pairs in such places are evaluated one by one.
 
-use super::images::square_root;
+use super::needed::Walk;
 use super::sites::Trial;
 use super::store::{Id, Residue};
 use super::{Candidate, SECOND_SLIP, edited};
 use crate::check::edit::{Address, Replacement};
-use crate::domain::{Domain, PrimeField};
-use crate::evaluate::{Value, value};
-use crate::expr::{Expr, ExprKind, Function, Sign};
-use crate::matrix::Matrix;
-use crate::model::links::children;
-use crate::model::names::literal_integer;
+use crate::evaluate::Value;
+use crate::expr::Expr;
 use crate::span::Span;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeSet, HashMap};
 
 /// Pairs that are evaluated one by one are so many times dearer than those that are looked up.
 const DEARER: usize = 50;
@@ -57,19 +53,23 @@ impl Trial<'_, '_> {
             let ids = [self.store.node(left), self.store.node(right)];
             let values = ids.map(|id| self.store.value(id, self.env));
             for (side, place) in places.into_iter().enumerate() {
-                let (Some(needed), Some(expr)) = (values[1 - side].value(), places[side].find(&display))
+                let (Some(needed), Some(expr)) =
+                    (values[1 - side].value(), places[side].find(&display))
                 else {
                     continue;
                 };
-                let mut walk = Walk {
-                    trial: self,
-                    table: &table,
-                    hits: Vec::new(),
-                    looked_at: 0,
-                };
+                let (mut hits, mut looked_at) = (Vec::new(), 0);
+                let mut walk = Walk { trial: self };
                 let mut address = Address::of_side(place);
-                walk.descend(expr, &mut address, &[needed.clone()]);
-                let Walk { hits, looked_at, .. } = walk;
+                let needed = [needed.clone()];
+                walk.visit(
+                    expr,
+                    &mut address,
+                    &needed,
+                    &mut |expr, id, address, needed| {
+                        looked_at += table.look_up(expr, id, address, needed, &mut hits);
+                    },
+                );
                 self.tried += looked_at;
                 for (address, j) in hits {
                     let two = &singles[j];
@@ -87,7 +87,7 @@ impl Trial<'_, '_> {
                 }
             }
         }
-        self.one_by_one(singles, &table, &mut found);
+        self.one_by_one(singles, &mut found);
         found.sort_by_key(|candidate| candidate.cost);
         found.dedup_by(|one, other| one.cost == other.cost && same_edits(one, other));
         found.truncate(FOUND);
@@ -122,13 +122,13 @@ impl Trial<'_, '_> {
     }
 
     /// Pairs where neither place has a needed value.
-    fn one_by_one(&mut self, singles: &[Replacement], table: &Table, found: &mut Vec<Candidate>) {
-        let reached = self.reached(table);
+    fn one_by_one(&mut self, singles: &[Replacement], found: &mut Vec<Candidate>) {
+        let reached = self.reached();
         let apart: Vec<&Replacement> = singles
             .iter()
             .filter(|r| {
                 let spot = self.spot_at.get(&r.address);
-                spot.is_some_and(|s| !reached.contains_key(s))
+                spot.is_some_and(|s| !reached.contains(s))
             })
             .collect();
         for (k, one) in apart.iter().enumerate() {
@@ -152,30 +152,48 @@ impl Trial<'_, '_> {
     }
 
     /// The places of the printed sides that have a needed value.
-    fn reached(&mut self, table: &Table) -> BTreeMap<usize, ()> {
-        let mut reached = BTreeMap::new();
+    fn reached(&mut self) -> BTreeSet<usize> {
+        let mut reached = BTreeSet::new();
         let places = [self.link.left, self.link.right];
         let values = self.sides().map(|id| self.store.value(id, self.env));
         let display = self.display;
         for (side, place) in places.into_iter().enumerate() {
             if let (Some(needed), Some(expr)) = (values[1 - side].value(), place.find(display)) {
-                let mut walk = Walk {
-                    trial: self,
-                    table,
-                    hits: Vec::new(),
-                    looked_at: 0,
-                };
-                let mut address = Address::of_side(place);
                 let mut all = Vec::new();
-                walk.places(expr, &mut address, &[needed.clone()], &mut all);
-                for address in all {
-                    if let Some(spot) = self.spot_at.get(&address) {
-                        reached.insert(*spot, ());
-                    }
-                }
+                let mut walk = Walk { trial: self };
+                let mut address = Address::of_side(place);
+                let needed = [needed.clone()];
+                walk.visit(expr, &mut address, &needed, &mut |_, _, address, _| {
+                    all.push(address.clone());
+                });
+                reached.extend(all.iter().filter_map(|a| self.spot_at.get(a)));
             }
         }
         reached
+    }
+}
+
+impl Table {
+    /// The edits that do at a place of an edited side; how many there are.
+    fn look_up(
+        &self,
+        expr: &Expr,
+        id: Id,
+        address: &Address,
+        needed: &[Value<u64>],
+        hits: &mut Vec<(Address, usize)>,
+    ) -> usize {
+        let Some(Some(spot)) = self.spots.get(&(expr.span, id)) else {
+            return 0;
+        };
+        if self.sizes[*spot] > 0 {
+            for value in needed {
+                if let Some(edits) = self.by_value.get(&(*spot, key(value))) {
+                    hits.extend(edits.iter().map(|j| (address.clone(), *j)));
+                }
+            }
+        }
+        self.sizes[*spot]
     }
 }
 
@@ -196,197 +214,4 @@ fn key(value: &Value<u64>) -> Vec<u64> {
         key.push(rows as u64);
     }
     key
-}
-
-struct Walk<'w, 'r, 'm> {
-    trial: &'w mut Trial<'r, 'm>,
-    table: &'w Table,
-    /// Where in the edited side, and which edit.
-    hits: Vec<(Address, usize)>,
-    looked_at: usize,
-}
-
-impl Walk<'_, '_, '_> {
-    fn descend(&mut self, expr: &Expr, address: &mut Address, needed: &[Value<u64>]) {
-        let id = self.trial.store.node(expr);
-        if let Some(Some(spot)) = self.table.spots.get(&(expr.span, id)) {
-            let size = self.table.sizes[*spot];
-            if size > 0 {
-                self.looked_at += size;
-                for value in needed {
-                    if let Some(edits) = self.table.by_value.get(&(*spot, key(value))) {
-                        let here = edits.iter().map(|j| (address.clone(), *j));
-                        self.hits.extend(here);
-                    }
-                }
-            }
-        }
-        for (step, child) in children(expr).into_iter().enumerate() {
-            let below = self.below(expr, step, needed);
-            if !below.is_empty() {
-                address.path.push(step);
-                self.descend(child, address, &below);
-                address.path.pop();
-            }
-        }
-    }
-
-    /// All places that have a needed value.
-    fn places(
-        &mut self,
-        expr: &Expr,
-        address: &mut Address,
-        needed: &[Value<u64>],
-        found: &mut Vec<Address>,
-    ) {
-        found.push(address.clone());
-        for (step, child) in children(expr).into_iter().enumerate() {
-            let below = self.below(expr, step, needed);
-            if !below.is_empty() {
-                address.path.push(step);
-                self.places(child, address, &below, found);
-                address.path.pop();
-            }
-        }
-    }
-
-    fn value(&mut self, expr: &Expr) -> Option<Value<u64>> {
-        let id = self.trial.store.node(expr);
-        match self.trial.store.value(id, self.trial.env) {
-            Residue::Is(value) => Some(value),
-            _ => None,
-        }
-    }
-
-    /// The values that a child must have, for the needed values of the whole.
-    fn below(&mut self, expr: &Expr, step: usize, needed: &[Value<u64>]) -> Vec<Value<u64>> {
-        let mut found = Vec::new();
-        for whole in needed {
-            self.needed(expr, step, whole, &mut found);
-        }
-        found
-    }
-
-    fn needed(
-        &mut self,
-        expr: &Expr,
-        step: usize,
-        whole: &Value<u64>,
-        found: &mut Vec<Value<u64>>,
-    ) {
-        let field = PrimeField;
-        let span = Span::default();
-        match &expr.kind {
-            ExprKind::Group { .. } | ExprKind::Underbrace { .. } => found.push(whole.clone()),
-            ExprKind::Sum(terms) => {
-                let mut rest = whole.clone();
-                for (k, (sign, term)) in terms.iter().enumerate() {
-                    if k == step {
-                        continue;
-                    }
-                    let Some(value) = self.value(term) else {
-                        return;
-                    };
-                    let next = match sign {
-                        Sign::Plus => value::subtract(&field, &rest, &value, span),
-                        Sign::Minus => value::add(&field, &rest, &value, span),
-                    };
-                    match next {
-                        Ok(next) => rest = next,
-                        Err(_) => return,
-                    }
-                }
-                found.push(match terms[step].0 {
-                    Sign::Plus => rest,
-                    Sign::Minus => value::negate(&field, &rest),
-                });
-            }
-            ExprKind::Product(factors) => {
-                let mut others = 1;
-                for (k, factor) in factors.iter().enumerate() {
-                    if k == step {
-                        continue;
-                    }
-                    match self.value(factor) {
-                        Some(Value::Scalar(s)) => others = field.multiply(&others, &s),
-                        _ => return,
-                    }
-                }
-                if let Some(inverse) = field.divide(&1, &others) {
-                    found.extend(value::multiply(&field, &Value::Scalar(inverse), whole, span));
-                }
-            }
-            ExprKind::Quotient {
-                numerator,
-                denominator,
-                ..
-            } => match (step, whole) {
-                (0, _) => {
-                    if let Some(below @ Value::Scalar(_)) = self.value(denominator) {
-                        found.extend(value::multiply(&field, &below, whole, span));
-                    }
-                }
-                (_, Value::Scalar(whole)) => {
-                    if let Some(Value::Scalar(above)) = self.value(numerator) {
-                        found.extend(field.divide(&above, whole).map(Value::Scalar));
-                    }
-                }
-                _ => {}
-            },
-            ExprKind::Power { exponent, .. } if step == 0 => {
-                let Value::Scalar(whole) = whole else {
-                    return;
-                };
-                let power = literal_integer(exponent);
-                let whole = match power {
-                    Some(1..) => Some(*whole),
-                    _ => field.divide(&1, whole),
-                };
-                let (Some(power), Some(whole)) = (power, whole) else {
-                    return;
-                };
-                match power.abs() {
-                    1 => found.push(Value::Scalar(whole)),
-                    2 => {
-                        if let Some(root) = square_root(whole) {
-                            found.push(Value::Scalar(root));
-                            found.push(Value::Scalar(field.negate(&root)));
-                        }
-                    }
-                    _ => {}
-                }
-            }
-            ExprKind::Call {
-                function: Function::SquareRoot,
-                ..
-            } => {
-                if let Value::Scalar(whole) = whole {
-                    found.push(Value::Scalar(field.multiply(whole, whole)));
-                }
-            }
-            ExprKind::Transpose(_) => found.push(match whole {
-                Value::Matrix(m) => Value::Matrix(m.transpose()),
-                other => other.clone(),
-            }),
-            ExprKind::Matrix { .. } => {
-                let (Some(Value::Matrix(printed)), Value::Matrix(whole)) = (self.value(expr), whole)
-                else {
-                    return;
-                };
-                found.extend(entry(&printed, whole, step).map(Value::Scalar));
-            }
-            _ => {}
-        }
-    }
-}
-
-/// What an entry must be where all others are as they must be.
-fn entry(printed: &Matrix<u64>, needed: &Matrix<u64>, step: usize) -> Option<u64> {
-    if printed.shape() != needed.shape() {
-        return None;
-    }
-    let mut entries = printed.iter().zip(needed.iter()).enumerate();
-    let others = entries.all(|(k, (one, other))| k == step || one == other);
-    let (columns, at) = (needed.columns(), step);
-    others.then(|| needed[(at / columns, at % columns)])
 }

@@ -64,11 +64,7 @@ impl Checker<'_> {
 
     /// Where each rejected reading fails: what it names that does not exist, and both sides at the
     /// reference point.
-    fn explain_rejected(
-        &self,
-        link: &Link,
-        rejected: Vec<(Vec<Edit>, Display)>,
-    ) -> Vec<Rejected> {
+    fn explain_rejected(&self, link: &Link, rejected: Vec<(Vec<Edit>, Display)>) -> Vec<Rejected> {
         let span = Span::default();
         let point = self.reference_point();
         let shown: Vec<(usize, BigRational)> = (0..point.len())
@@ -79,13 +75,14 @@ impl Checker<'_> {
         let real: Vec<Option<BigRational>> = (0..point.len())
             .map(|l| (!self.is_function(l)).then(|| point[l].clone()))
             .collect();
-        let mut evaluator = self.evaluator_at(self.exact_anew(), Rationals, point, move |value, point| {
-            match &table {
-                Some(table) => table.rational_value(value, &real),
-                None => value.evaluate(point).ok(),
-            }
-            .ok_or(FailureKind::DivisionByZero)
-        });
+        let mut evaluator =
+            self.evaluator_at(self.exact_anew(), Rationals, point, move |value, point| {
+                match &table {
+                    Some(table) => table.rational_value(value, &real),
+                    None => value.evaluate(point).ok(),
+                }
+                .ok_or(FailureKind::DivisionByZero)
+            });
         rejected
             .into_iter()
             .filter_map(|(edits, display)| {

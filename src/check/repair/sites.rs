@@ -112,8 +112,14 @@ impl<'r, 'm> Trial<'r, 'm> {
             }
         }
         trial.env = first.unwrap_or(0);
-        let zero = |residue: Residue| residue.value().is_some_and(|v| v.entries().iter().all(|e| **e == 0));
-        trial.zero = sides.iter().all(|id| zero(trial.store.value(*id, trial.env)));
+        let zero = |residue: Residue| {
+            residue
+                .value()
+                .is_some_and(|v| v.entries().iter().all(|e| **e == 0))
+        };
+        trial.zero = sides
+            .iter()
+            .all(|id| zero(trial.store.value(*id, trial.env)));
         trial
     }
 

@@ -435,9 +435,7 @@ impl<'m> Store<'m> {
             return Residue::Unknown;
         };
         let bound = self.envs[env].clone();
-        let value = self
-            .evaluator
-            .with_indices(&bound, |e| e.expression(&expr));
+        let value = self.evaluator.with_indices(&bound, |e| e.expression(&expr));
         let failure = match value {
             Ok(value) => return Residue::Is(value),
             Err(failure) => failure,
@@ -472,4 +470,7 @@ pub(super) fn same(left: &Value<u64>, right: &Value<u64>) -> bool {
     }
 }
 
-const _: () = assert!(PRIME % 4 == 3, "square roots are powers modulo such a prime");
+const _: () = assert!(
+    PRIME % 4 == 3,
+    "square roots are powers modulo such a prime"
+);

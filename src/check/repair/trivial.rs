@@ -65,7 +65,9 @@ impl Monomial {
                 self.take(inner, exponent);
             }
             ExprKind::Number(n) if !n.is_zero() => {
-                let size = usize::try_from(exponent.unsigned_abs()).unwrap_or(1).min(64);
+                let size = usize::try_from(exponent.unsigned_abs())
+                    .unwrap_or(1)
+                    .min(64);
                 let power = pow(n.clone(), size);
                 self.coefficient *= if exponent < 0 { power.recip() } else { power };
             }
@@ -99,7 +101,9 @@ impl Monomial {
                     }
                     // A sum that comes to one monomial, such as a lone minus, is that monomial.
                     if let (1, Some((monomial, coefficient))) = (inner.len(), inner.iter().next()) {
-                        let size = usize::try_from(exponent.unsigned_abs()).unwrap_or(1).min(64);
+                        let size = usize::try_from(exponent.unsigned_abs())
+                            .unwrap_or(1)
+                            .min(64);
                         let power = pow(coefficient.clone(), size);
                         self.coefficient *= if exponent < 0 { power.recip() } else { power };
                         whole.clone_from(monomial);

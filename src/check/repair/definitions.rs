@@ -1,0 +1,252 @@
+//! Slips in the definitions that a false claim rests on.
+//!
+//! Where no edit of the claim itself mends it, the single edits of the equations that define its
+//! names are tried: modulo the prime, with everything computed anew from the edited definition. An
+//! edit is a correction only if every claim that rests on the definition is true with it, so that it
+//! explains more than the one claim; what passes is proved exactly.
+
+use super::super::Checker;
+use super::super::edit::{self, Replacement};
+use super::super::identity::Decision;
+use super::super::sides::sides_of;
+use super::images::SplitMix;
+use super::store::same;
+use super::{Found, described};
+use crate::domain::{PRIME, PrimeField};
+use crate::evaluate::Evaluator;
+use crate::expr::{Display, Relation};
+use crate::model::links::{Link, Place};
+use crate::model::{DefinitionKind, Node, Role};
+use crate::span::Span;
+use crate::verdict::{Changed, Correction};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How many edited definitions are evaluated: each costs everything that rests on it.
+const EDITED: usize = 4_000;
+
+/// A claim: an equation and one of its links.
+type Claim = (usize, Link);
+
+impl<'m> Checker<'m> {
+    /// The cheapest single edit of a definition that makes a false link true, and with it every
+    /// claim that rests on that definition.
+    pub(super) fn by_definition(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        mut tried: usize,
+        budget: usize,
+    ) -> Option<Found> {
+        let model = self.model;
+        // Functions have no values of their own modulo the prime.
+        if model.functions.is_some() || !model.equations[equation].assume.is_empty() {
+            return None;
+        }
+        let context = edit::Context::of(model);
+        let mut candidates: Vec<(usize, Replacement)> = Vec::new();
+        for definition in self.defining(equation) {
+            let display = self.exact.display(definition).clone();
+            let places = self.values_in(definition, &display);
+            let singles = edit::singles(&display, &places, &context);
+            candidates.extend(singles.into_iter().map(|r| (definition, r)));
+        }
+        candidates.sort_by_key(|(_, replacement)| replacement.cost);
+        let mut evaluator = self.native();
+        let display_of = |checker: &Self, e: usize| checker.exact.display(e).clone();
+        let mut claims: BTreeMap<usize, Vec<Claim>> = BTreeMap::new();
+        let mut passing: Vec<(usize, Replacement)> = Vec::new();
+        for (definition, replacement) in candidates.into_iter().take(EDITED) {
+            if tried >= budget {
+                break;
+            }
+            if passing
+                .first()
+                .is_some_and(|(_, r)| r.cost < replacement.cost)
+            {
+                break;
+            }
+            tried += 1;
+            let printed = display_of(self, definition);
+            let mut corrected = printed.clone();
+            if !replacement.apply(&mut corrected) {
+                continue;
+            }
+            evaluator.correct(definition, corrected);
+            let mut holds = |claim: &Claim, display: &Display| {
+                let sides = sides_of(&mut evaluator, display, &claim.1, Span::default());
+                sides.is_ok_and(|pairs| {
+                    !pairs.is_empty() && pairs.iter().all(|(_, l, r)| same(l, r))
+                })
+            };
+            if holds(&(equation, *link), &display_of(self, equation)) {
+                let resting = claims
+                    .entry(definition)
+                    .or_insert_with(|| self.resting_on(definition));
+                let all = resting
+                    .iter()
+                    .all(|claim| holds(claim, &display_of(self, claim.0)));
+                // One claim alone is as well mended where it stands.
+                if all && resting.len() > 1 {
+                    passing.push((definition, replacement));
+                }
+            }
+            evaluator.correct(definition, printed);
+        }
+        let mut proved = Vec::new();
+        for (definition, replacement) in passing {
+            let printed = self.exact.display(definition).clone();
+            let mut corrected = printed.clone();
+            replacement.apply(&mut corrected);
+            self.exact.correct(definition, corrected.clone());
+            let values = self.inserted.clone();
+            let decision = self
+                .insert_anew()
+                .and_then(|()| self.sides(equation, link).ok())
+                .and_then(|entries| {
+                    let decision = self.decide_true(&entries, equation).ok()?;
+                    Some((decision, entries))
+                });
+            let proof = match decision {
+                Some((Decision::Holds(by), entries)) => Some(self.certificate(entries, &by, None)),
+                Some((Decision::HoldsGiven(by, given), _)) => {
+                    let open = given.cofactors.iter().map(|g| g.entry.clone()).collect();
+                    Some(self.certificate(open, &by, Some(&given)))
+                }
+                _ => None,
+            };
+            self.exact.correct(definition, printed.clone());
+            self.inserted = values;
+            if let Some(proof) = proof {
+                let edits = described(&printed, std::slice::from_ref(&replacement));
+                proved.push((definition, corrected, edits, replacement.cost, proof));
+            }
+        }
+        let mut proved = proved.into_iter();
+        let (definition, corrected, edits, cost, proof) = proved.next()?;
+        let alternatives = proved.map(|(_, _, edits, ..)| edits).collect();
+        let correction = Correction {
+            edits,
+            display: self.exact.display(equation).clone(),
+            definition: Some((definition, corrected)),
+            changed: vec![Changed::Definition(definition)],
+            cost,
+            given: None,
+            tried,
+            budget,
+            alternatives,
+            others: Vec::new(),
+            preferred: None,
+            rejected: Vec::new(),
+        };
+        Some((correction, proof))
+    }
+
+    /// Computes all abbreviations anew from the definitions as corrected.
+    pub(in crate::check) fn insert_anew(&mut self) -> Option<()> {
+        let mut expanding = self.exact.anew();
+        expanding.keep_abbreviations = false;
+        for (letter, value) in &mut self.inserted {
+            let crate::model::Letter::Abbreviation { definition } = self.model.letters[*letter]
+            else {
+                continue;
+            };
+            let node = (Node::Definition(definition), Vec::new(), 0);
+            match expanding.value_of(node, Span::default()) {
+                Ok(crate::evaluate::Value::Scalar(image)) => *value = image,
+                _ => return None,
+            }
+        }
+        Some(())
+    }
+
+    /// An evaluator modulo the prime that computes everything from the equations.
+    fn native(&self) -> Evaluator<'m, PrimeField> {
+        let mut random = SplitMix(0x5DEE_CE66_D1CE_4E5B);
+        let letters = self.model.letters.iter().map(|_| random.next() % PRIME);
+        let mut evaluator =
+            Evaluator::new(self.model, PrimeField, letters.collect()).in_instance(self.instance);
+        evaluator.keep_abbreviations = false;
+        for (equation, display) in self.exact.corrections() {
+            evaluator.correct(*equation, display.clone());
+        }
+        evaluator
+    }
+
+    /// The equations that define what an equation names, directly or through others.
+    fn defining(&self, equation: usize) -> BTreeSet<usize> {
+        let model = self.model;
+        let mut open: Vec<Node> = Vec::new();
+        let mut direct = BTreeSet::new();
+        crate::model::links::each_expression(self.exact.display(equation), &mut |e| {
+            model.collect(e, &mut direct);
+        });
+        open.extend(direct);
+        let mut seen = BTreeSet::new();
+        let mut found = BTreeSet::new();
+        while let Some(node) = open.pop() {
+            if !seen.insert(node) {
+                continue;
+            }
+            match node {
+                Node::Definition(d) => {
+                    found.insert(model.definitions[d].equation);
+                }
+                Node::Unknown { system, .. } => {
+                    found.insert(model.systems[system].equation);
+                }
+                _ => {}
+            }
+            open.extend(model.needs(node));
+        }
+        found.remove(&equation);
+        found.retain(|e| matches!(model.equations[*e].role, Role::Define | Role::Solve));
+        found
+    }
+
+    /// Where an equation says what its names are.
+    fn values_in(&self, equation: usize, display: &Display) -> Vec<Place> {
+        let model = self.model;
+        if model.equations[equation].role == Role::Solve {
+            let links = &model.equations[equation].links;
+            let mut places: Vec<Place> = links.iter().flat_map(|l| [l.left, l.right]).collect();
+            places.sort_unstable();
+            places.dedup();
+            return places;
+        }
+        let definitions = model.definitions.iter();
+        definitions
+            .filter(|d| d.equation == equation)
+            .filter(|d| !matches!(d.kind, DefinitionKind::ValueAt(_)))
+            .filter(|d| d.place.find(display).is_some())
+            .map(|d| d.place)
+            .collect()
+    }
+
+    /// The claims that rest on an equation: their links that are equations and no definitions.
+    fn resting_on(&self, definition: usize) -> Vec<Claim> {
+        let model = self.model;
+        let mut found = Vec::new();
+        for (e, equation) in model.equations.iter().enumerate() {
+            if e == definition
+                || equation.role != Role::Claim
+                || !equation.assume.is_empty()
+                || !self.defining(e).contains(&definition)
+            {
+                continue;
+            }
+            for (l, link) in equation.links.iter().enumerate() {
+                let recalled = equation
+                    .settings
+                    .recalled_members
+                    .contains_key(&link.member);
+                let claimed = equation.defines[l].is_none()
+                    && link.relation == Relation::Equal
+                    && link.left != link.right;
+                if claimed && !recalled {
+                    found.push((e, *link));
+                }
+            }
+        }
+        found
+    }
+}
