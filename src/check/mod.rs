@@ -158,6 +158,7 @@ impl<'m> Checker<'m> {
         for equation in self.model.settling_order() {
             outcomes.extend(self.settle(equation));
         }
+        self.explained_by_definitions(&mut outcomes);
         let statements = self.statements();
         if !self.diagnostics.is_empty() {
             self.diagnostics.sort_by_key(|d| d.span);

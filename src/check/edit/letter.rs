@@ -128,7 +128,7 @@ fn exchanged(
         let entry = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Matrix { .. }));
         let values: &[i64] = if entry { &[0, 1] } else { &[1, 2] };
         for value in values {
-            found.push(edit(number(*value, site.expr.span)).rarer(4));
+            found.push(edit(number(*value, site.expr.span)).rarer(12));
         }
     }
 }
@@ -152,7 +152,7 @@ fn for_number(
         }
         let far = u32::from(!candidate.near) * 2;
         let to = Expr::new(ExprKind::Name(name.clone()), site.expr.span);
-        found.push(Replacement::new(site, EditClass::Letter, to).rarer(4 + far));
+        found.push(Replacement::new(site, EditClass::Letter, to).rarer(12 + far));
     }
 }
 

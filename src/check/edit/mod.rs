@@ -11,6 +11,7 @@ mod bracket;
 pub mod build;
 mod context;
 mod exponent;
+pub mod form;
 mod index;
 mod letter;
 mod literal;
@@ -104,6 +105,9 @@ pub fn cost_of(class: EditClass) -> u32 {
     }
 }
 
+/// What it costs more to change a whole side that is a name.
+const SUBJECT: u32 = 60;
+
 /// Terms that stay beside what differs when an edit of a long sum is described.
 const SHOWN: usize = 1;
 
@@ -175,7 +179,9 @@ pub fn singles(display: &Display, places: &[Place], context: &Context) -> Vec<Re
             kind => matches!(kind, ExprKind::Name(_) | ExprKind::Apply { .. }),
         });
         if named && places.len() > 1 {
-            edit.cost += 1;
+            // Another subject altogether is the last that a reader would think of.
+            let whole = edit.address.path.is_empty() && edit.class != EditClass::Dot;
+            edit.cost += if whole { SUBJECT } else { 1 };
         }
     }
     found.sort_by_key(|r| r.cost);

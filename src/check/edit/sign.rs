@@ -2,7 +2,7 @@
 
 use super::build::{flipped, negated, sum};
 use super::{Replacement, Scene, Site};
-use crate::expr::ExprKind;
+use crate::expr::{ExprKind, Sign};
 use crate::verdict::EditClass;
 use num_traits::Zero;
 
@@ -15,8 +15,10 @@ fn of_site(site: &Site<'_>) -> Vec<Replacement> {
     if let ExprKind::Sum(terms) = &site.expr.kind {
         let changed = |k: usize| {
             let mut terms = terms.clone();
+            // In front of the first term nothing is printed that could be the other sign.
+            let rare = u32::from(k == 0 && terms[k].0 == Sign::Plus && terms.len() > 1);
             terms[k].0 = flipped(terms[k].0);
-            edit(sum(terms, site.expr.span))
+            edit(sum(terms, site.expr.span)).rarer(rare)
         };
         return (0..terms.len()).map(changed).collect();
     }

@@ -46,7 +46,7 @@ fn dropped(site: &Site<'_>, found: &mut Vec<Replacement>) {
                     ExprKind::Number(_) => EditClass::Factor,
                     _ => EditClass::Term,
                 };
-                found.push(Replacement::new(site, class, product(fewer, span)));
+                found.push(Replacement::new(site, class, product(fewer, span)).rarer(3));
             }
         }
         ExprKind::Quotient {
@@ -58,7 +58,7 @@ fn dropped(site: &Site<'_>, found: &mut Vec<Replacement>) {
                 ExprKind::Number(_) => EditClass::Factor,
                 _ => EditClass::Term,
             };
-            found.push(Replacement::new(site, class, factor((**numerator).clone())));
+            found.push(Replacement::new(site, class, factor((**numerator).clone())).rarer(3));
             if !super::build::is_one(numerator) {
                 let one = number(1, numerator.span);
                 let reciprocal = quotient(one, (**denominator).clone(), *style, span);
@@ -111,7 +111,7 @@ fn with_factors(site: &Site<'_>, letters: &[Expr], found: &mut Vec<Replacement>)
             more.clear();
         }
         more.push(letter.clone());
-        found.push(edit(site, product(more, span)).rarer(3));
+        found.push(edit(site, product(more, span)));
         let below = match &site.expr.kind {
             ExprKind::Quotient {
                 numerator,
@@ -125,7 +125,7 @@ fn with_factors(site: &Site<'_>, letters: &[Expr], found: &mut Vec<Replacement>)
             }
             _ => quotient(site.expr.clone(), letter, QuotientStyle::Bar, span),
         };
-        found.push(edit(site, below).rarer(4));
+        found.push(edit(site, below).rarer(2));
     }
 }
 

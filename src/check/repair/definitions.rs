@@ -18,7 +18,7 @@ use crate::expr::{Display, Relation};
 use crate::model::links::{Link, Place};
 use crate::model::{DefinitionKind, Node, Role};
 use crate::span::Span;
-use crate::verdict::{Changed, Correction};
+use crate::verdict::{Changed, Correction, Outcome, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How many edited definitions are evaluated: each costs everything that rests on it.
@@ -82,9 +82,9 @@ impl<'m> Checker<'m> {
                 let resting = claims
                     .entry(definition)
                     .or_insert_with(|| self.resting_on(definition));
-                let all = resting
-                    .iter()
-                    .all(|claim| holds(claim, &display_of(self, claim.0)));
+                // As printed: what was corrected before may be true without.
+                let printed = |e: usize| &self.model.equations[e].display;
+                let all = resting.iter().all(|claim| holds(claim, printed(claim.0)));
                 // One claim alone is as well mended where it stands.
                 if all && resting.len() > 1 {
                     passing.push((definition, replacement));
@@ -139,6 +139,53 @@ impl<'m> Checker<'m> {
             rejected: Vec::new(),
         };
         Some((correction, proof))
+    }
+
+    /// Gives claims that were corrected on their own the correction of a definition that they rest
+    /// on, where they are true as printed with it.
+    pub(in crate::check) fn explained_by_definitions(&mut self, outcomes: &mut [Outcome]) {
+        let definitions: Vec<Correction> = outcomes
+            .iter()
+            .filter_map(|outcome| match &outcome.verdict {
+                Verdict::Misprint { correction, .. } if correction.definition.is_some() => {
+                    Some((**correction).clone())
+                }
+                _ => None,
+            })
+            .collect();
+        for common in definitions {
+            let Some((definition, _)) = common.definition else {
+                continue;
+            };
+            let resting = self.resting_on(definition);
+            for outcome in outcomes.iter_mut() {
+                let claim = resting
+                    .iter()
+                    .find(|(e, link)| *e == outcome.equation && link.member == outcome.member);
+                let (Some((equation, link)), Verdict::Misprint { correction, .. }) =
+                    (claim, &mut outcome.verdict)
+                else {
+                    continue;
+                };
+                if correction.definition.is_some() {
+                    continue;
+                }
+                let own = self.exact.display(*equation).clone();
+                let printed = self.model.equations[*equation].display.clone();
+                self.exact.correct(*equation, printed.clone());
+                let entries = self.sides(*equation, link).unwrap_or_default();
+                match self.decide_true(&entries, *equation) {
+                    Ok(Decision::Holds(by)) if !entries.is_empty() => {
+                        outcome.certificate = self.certificate(entries, &by, None);
+                        **correction = Correction {
+                            display: printed,
+                            ..common.clone()
+                        };
+                    }
+                    _ => self.exact.correct(*equation, own),
+                }
+            }
+        }
     }
 
     /// Computes all abbreviations anew from the definitions as corrected.

@@ -17,10 +17,9 @@ mod rejected;
 mod sites;
 mod solved;
 mod store;
-mod trivial;
 
 use super::Checker;
-use super::edit::{self, Replacement};
+use super::edit::{self, Replacement, form};
 use super::identity::Decision;
 use crate::expr::{Display, ExprKind};
 use crate::latex;
@@ -322,8 +321,8 @@ fn says_nothing(
     let pure = candidate.steps.len() == 1
         && candidate.steps.iter().all(|step| plain(step.class))
         && !uses_definitions(checker, printed, link);
-    !pure && trivial::is_restatement(corrected, link)
-        || trivial::zeros(corrected, link) > trivial::zeros(printed, link)
+    !pure && form::is_restatement(corrected, link)
+        || form::zeros(corrected, link) > form::zeros(printed, link)
 }
 
 /// Whether a side names anything that has a definition.

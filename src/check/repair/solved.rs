@@ -263,8 +263,7 @@ impl Table {
             return found;
         }
         let own = leaves(expr);
-        let cost =
-            |class, size: i64| cost_of(class) + 6 + PER_SIZE * u32::try_from(size).unwrap_or(9);
+        let cost = |class, size: i64| cost_of(class) + PER_SIZE * u32::try_from(size).unwrap_or(9);
         if let ExprKind::Number(_) = expr.kind {
             // Another number in its place.
             if let Some(monomial) = self.monomial(needed)

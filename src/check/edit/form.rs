@@ -1,4 +1,4 @@
-//! Corrections that say nothing: both sides the same monomials, or both zero.
+//! When two expressions are the same but for the order and the place of their factors and terms.
 //!
 //! The form of an expression collects like factors of each monomial and like monomials of each sum,
 //! and multiplies no bracket out: `ab/c` and `b(a/c)` have one form, `(a + b)^2` and
@@ -12,16 +12,29 @@ use num_rational::BigRational;
 use num_traits::{One, Zero, pow};
 use std::collections::BTreeMap;
 
+/// Whether two expressions are the same monomials.
+pub fn same_form(one: &Expr, other: &Expr) -> bool {
+    text(&form(one)) == text(&form(other))
+}
+
+/// Whether a link reads alike in two displays: both of its sides have the same forms.
+pub fn same_reading(one: &Display, other: &Display, link: &Link) -> bool {
+    [link.left, link.right].iter().all(|place| {
+        let sides = (place.find(one), place.find(other));
+        matches!(sides, (Some(one), Some(other)) if same_form(one, other))
+    })
+}
+
 /// Whether both sides of a link are the same monomials.
-pub(super) fn is_restatement(display: &Display, link: &Link) -> bool {
+pub fn is_restatement(display: &Display, link: &Link) -> bool {
     match (link.left.find(display), link.right.find(display)) {
-        (Some(left), Some(right)) => text(&form(left)) == text(&form(right)),
+        (Some(left), Some(right)) => same_form(left, right),
         _ => false,
     }
 }
 
 /// How many subexpressions of the sides are zero by their form alone, such as `x - x`.
-pub(super) fn zeros(display: &Display, link: &Link) -> usize {
+pub fn zeros(display: &Display, link: &Link) -> usize {
     let mut count = 0;
     for side in [link.left, link.right] {
         if let Some(expr) = side.find(display) {
