@@ -31,7 +31,6 @@ use crate::model::{DefinitionKind, Letter, Model, Node, Role};
 use crate::theory::stability::hurwitz_determinants;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Certificate, Flaw, Outcome, Refutation, Verdict};
-pub(crate) use factors::factors;
 use identity::Decision;
 use num_traits::Signed;
 use ratpoly::RationalFunction;

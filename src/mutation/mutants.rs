@@ -1,7 +1,7 @@
 //! The mutants of a document: each claim and each definition with one edit.
 
 use super::dependence::LinkAt;
-use crate::check::edit::{self, Replacement};
+use crate::check::edit::{self, Context, Replacement};
 use crate::expr::{Display, Expr, ExprKind};
 use crate::latex;
 use crate::model::links::{Link, underbraces};
@@ -56,23 +56,7 @@ pub(super) fn mutants(model: &Model, links: &[LinkAt]) -> Vec<Mutant> {
 
 /// Every single edit of a link: the list that the search for corrections uses.
 pub(super) fn singles(model: &Model, display: &Display, link: &Link) -> Vec<Replacement> {
-    let places = [link.left, link.right];
-    let mut found: Vec<Replacement> = [
-        edit::dots_below,
-        edit::signs,
-        edit::indices,
-        edit::exponents,
-        edit::literals,
-        edit::letters,
-        edit::dots,
-        edit::transpositions,
-        edit::measures,
-    ]
-    .iter()
-    .flat_map(|class| class(display, &places))
-    .collect();
-    found.extend(crate::check::factors(model, display, link.right));
-    found
+    edit::singles(display, &[link.left, link.right], &Context::of(model))
 }
 
 /// Whether a damaged display defines other names than the original, or is put together otherwise.

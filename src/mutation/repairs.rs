@@ -2,13 +2,12 @@
 
 use super::bench::Bench;
 use super::dependence::values_of;
-use super::mutants::{Mutant, singles};
+use super::mutants::Mutant;
 use super::{Fate, Options, Tried};
 use crate::check;
 use crate::expr::Display;
 use crate::latex;
 use crate::model::Node;
-use crate::verdict::Edit;
 use std::collections::BTreeSet;
 
 /// What the search proposes for a mutant.
@@ -55,30 +54,15 @@ impl Bench<'_, '_> {
             repair.proposal = Some(latex::write_display(&correction.display));
             repair.first = self.says_the_same(mutant, &correction.display, &stale);
             repair.any = repair.first
-                || correction.alternatives.iter().any(|edits| {
-                    self.reedited(mutant, edits)
-                        .is_some_and(|display| self.says_the_same(mutant, &display, &stale))
-                });
+                || correction
+                    .others
+                    .iter()
+                    .any(|other| self.says_the_same(mutant, &other.display, &stale));
         }
         if let Some(table) = &self.model.functions {
             table.take_back(self.letters);
         }
         repair
-    }
-
-    /// The mutant's display with the edits of a proposal.
-    fn reedited(&self, mutant: &Mutant, edits: &[Edit]) -> Option<Display> {
-        let equation = &self.model.equations[mutant.at.0];
-        let link = &equation.links[mutant.at.1];
-        let all = singles(self.model, &mutant.display, link);
-        let mut display = mutant.display.clone();
-        for edit in edits {
-            let replacement = all
-                .iter()
-                .find(|r| r.describe(&mutant.display).as_ref() == Some(edit))?;
-            replacement.apply(&mut display);
-        }
-        Some(display)
     }
 
     /// Whether a display is the original, or both sides of the link have its values.
