@@ -123,7 +123,8 @@ fn exchanged(
             found.push(edit(with_name(site.expr, other)).rarer(rare));
         }
     }
-    let plain = matches!(site.expr.kind, ExprKind::Name(_)) && name.dots == 0;
+    let part = site.parent.is_some();
+    let plain = part && matches!(site.expr.kind, ExprKind::Name(_)) && name.dots == 0;
     if plain && kind == Kind::Scalar {
         let entry = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Matrix { .. }));
         let values: &[i64] = if entry { &[0, 1] } else { &[1, 2] };

@@ -105,7 +105,7 @@ pub fn cost_of(class: EditClass) -> u32 {
     }
 }
 
-/// What it costs more to change a whole side that is a name.
+/// What it costs more to change a left side that is a name.
 const SUBJECT: u32 = 60;
 
 /// Terms that stay beside what differs when an edit of a long sum is described.
@@ -171,14 +171,14 @@ pub fn singles(display: &Display, places: &[Place], context: &Context) -> Vec<Re
         bound::edits,
     ];
     let mut found: Vec<Replacement> = classes.iter().flat_map(|class| class(&scene)).collect();
-    // What is named alone on a side is computed by the other, where slips are likelier.
+    // What is named alone on the left is computed on the right, where slips are likelier.
     for edit in &mut found {
         let side = edit.address.place.find(display).map(build::inside);
         let named = side.is_some_and(|e| match &e.kind {
             ExprKind::Power { base, .. } => matches!(base.kind, ExprKind::Name(_)),
             kind => matches!(kind, ExprKind::Name(_) | ExprKind::Apply { .. }),
         });
-        if named && places.len() > 1 {
+        if named && places.len() > 1 && places.first() == Some(&edit.address.place) {
             // Another subject altogether is the last that a reader would think of.
             let whole = edit.address.path.is_empty() && edit.class != EditClass::Dot;
             edit.cost += if whole { SUBJECT } else { 1 };

@@ -27,7 +27,9 @@ fn of_site(site: &Site<'_>) -> Vec<Replacement> {
         matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Power { .. })) && site.step() == 1;
     // The exponent 2 with a minus is a reciprocal, and rarer than a lost minus before a term.
     if exponent {
-        return vec![edit(negated(site.expr.clone())).rarer(20)];
+        let mut negative = edit(negated(site.expr.clone())).rarer(20);
+        negative.class = EditClass::Exponent;
+        return vec![negative];
     }
     let zero = matches!(&site.expr.kind, ExprKind::Number(n) if n.is_zero());
     let container = matches!(
