@@ -313,7 +313,12 @@ fn blind_checkers_are_caught() {
     ] {
         let mutation = judged(&blind);
         let survived = mutation.tried.iter().filter(|t| t.fate == Fate::Survived);
-        let classes: Vec<EditClass> = survived.map(|t| t.class).collect();
+        // The sign of an exponent is a slip of both kinds.
+        let both = |t: &&Tried| t.class == EditClass::Exponent && t.mutant.contains("^{-");
+        let classes: Vec<EditClass> = survived
+            .filter(|t| t.class == class || !both(t))
+            .map(|t| t.class)
+            .collect();
         assert!(classes.contains(&class), "{class:?}");
         assert!(classes.iter().all(|c| *c == class), "{classes:?}");
     }

@@ -73,12 +73,18 @@ fn is_bare(site: &Site<'_>) -> bool {
         site.expr.kind,
         ExprKind::Name(_) | ExprKind::Group { .. } | ExprKind::Apply { .. }
     );
-    let plain = match site.parent.map(|p| &p.kind) {
-        Some(ExprKind::Power { .. } | ExprKind::Transpose(_) | ExprKind::Named { .. }) => false,
-        Some(ExprKind::Apply { .. } | ExprKind::Cases(_) | ExprKind::Tuple(_)) => false,
-        _ => true,
-    };
-    atom && plain && !site.is_count()
+    let elsewhere = matches!(
+        site.parent.map(|p| &p.kind),
+        Some(
+            ExprKind::Power { .. }
+                | ExprKind::Transpose(_)
+                | ExprKind::Named { .. }
+                | ExprKind::Apply { .. }
+                | ExprKind::Cases(_)
+                | ExprKind::Tuple(_)
+        )
+    );
+    atom && !elsewhere && !site.is_count()
 }
 
 /// An exponent on what has none.

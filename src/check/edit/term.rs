@@ -98,7 +98,8 @@ fn with_factors(site: &Site<'_>, letters: &[Expr], found: &mut Vec<Replacement>)
     );
     let number = matches!(&site.expr.kind, ExprKind::Number(n) if n.numer() == &0.into());
     let side = site.parent.is_none();
-    if !(site.is_monomial() || side) || bracket && !side || number {
+    let monomial = site.is_monomial() && !bracket;
+    if number || !(side || monomial) {
         return;
     }
     let span = site.expr.span;
