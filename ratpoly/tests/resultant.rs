@@ -91,6 +91,17 @@ fn polynomial() -> impl Strategy<Value = Polynomial> {
     prop::collection::vec(term, 0..4).prop_map(|terms| from_small(ring(), terms))
 }
 
+/// The same with the letter in it.
+fn in_x() -> impl Strategy<Value = Polynomial> {
+    polynomial().prop_map(|f| {
+        if has_x(&f) {
+            f
+        } else {
+            f + Polynomial::variable(ring(), 0)
+        }
+    })
+}
+
 fn has_x(f: &Polynomial) -> bool {
     f.degree(0).is_some_and(|d| d > 0)
 }
@@ -99,8 +110,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(150))]
 
     #[test]
-    fn equals_the_sylvester_determinant(f in polynomial(), g in polynomial()) {
-        prop_assume!(has_x(&f) && has_x(&g));
+    fn equals_the_sylvester_determinant(f in in_x(), g in in_x()) {
         let found = resultant(&f, &g, 0).unwrap();
         prop_assert!(found.is_canonical());
         prop_assert_eq!(&found, &leibniz_determinant(ring(), &sylvester(&f, &g, 0)));
@@ -117,7 +127,9 @@ proptest! {
 
     #[test]
     fn vanishes_exactly_for_a_common_factor(f in polynomial(), g in polynomial(), h in polynomial()) {
-        prop_assume!(!f.is_zero() && !g.is_zero());
+        if f.is_zero() || g.is_zero() {
+            return Ok(());
+        }
         let zero = resultant(&f, &g, 0).unwrap().is_zero();
         prop_assert_eq!(zero, has_x(&gcd(&f, &g)));
         if has_x(&h) {
@@ -128,8 +140,7 @@ proptest! {
     }
 
     #[test]
-    fn is_multiplicative_and_alternating(f in polynomial(), g in polynomial(), h in polynomial()) {
-        prop_assume!(has_x(&f) && has_x(&g) && has_x(&h));
+    fn is_multiplicative_and_alternating(f in in_x(), g in in_x(), h in in_x()) {
         let r = |a: &Polynomial, b: &Polynomial| resultant(a, b, 0).unwrap();
         prop_assert_eq!(r(&(&f * &g), &h), r(&f, &h) * r(&g, &h));
         let odd = f.degree(0).unwrap() * g.degree(0).unwrap() % 2 == 1;
