@@ -10,7 +10,8 @@ use rederive::input;
 use rederive::model::links::{Place, children_mut};
 use rederive::mutation::tally::{Tally, tally};
 use rederive::mutation::{
-    Case, Decide, Fate, Finding, Mutation, Options, TheChecker, Tried, mutate, mutate_by,
+    Case, Decide, Equivalence, Fate, Finding, Mutation, Options, TheChecker, Tried, mutate,
+    mutate_by,
 };
 use rederive::progress::{Unwatched, Watch};
 use rederive::report::mutation::{json, plain};
@@ -533,4 +534,69 @@ fn mutants_beyond_all_limits_are_undecided() {
     assert_eq!(words.last(), Some(&VerdictWord::Undecided));
     let figures = json::figures(&[], 1);
     assert!(serde_json::to_string(&figures).is_ok());
+}
+
+/// What mutants have found in the checker itself.
+#[test]
+fn faults_that_mutants_found_stay_mended() {
+    let word = |text: &str, label: &str| {
+        let link = format!("{label}.1");
+        let words = words(&document(text)).expect("a document that can be checked");
+        let found = words.iter().find(|(l, _)| *l == link);
+        found.map(|(_, word)| *word).expect("the link")
+    };
+    // A bound of the eigenvalues other than zero was taken for zero.
+    let eigenvalues = |bound: &str| {
+        let text = format!(
+            "```toml symbols\na = {{ positive = true, meaning = \"\" }}\n\
+             '\\lambda' = {{ function_of = '\\mathbf{{A}}', meaning = \"\" }}\n```\n```math 1 define\n\
+             \\mathbf{{A}} = \\begin{{bmatrix}} -a & 1 \\\\ 0 & -2a \\end{{bmatrix}}\n```\n\
+             ```math 2 claim\n\\operatorname{{Re}}\\lambda(\\mathbf{{A}}) < {bound}\n```\n"
+        );
+        word(&text, "2")
+    };
+    for bound in ["0", "1", "a"] {
+        assert_eq!(eigenvalues(bound), VerdictWord::Holds, "{bound}");
+    }
+    for bound in ["-1", "-a", "-2a"] {
+        assert_eq!(eigenvalues(bound), VerdictWord::Refuted, "{bound}");
+    }
+    // A process at another argument was taken for the process.
+    let process = |claim: &str| {
+        let text = format!(
+            "```toml symbols\nt = {{ meaning = \"\" }}\n\
+             z = {{ function_of = \"t\", meaning = \"\" }}\n```\n\
+             ```math 1 define\ns(t) = 2z(t)\n```\n```math 2 claim\n{claim}\n```\n"
+        );
+        word(&text, "2")
+    };
+    assert_eq!(process("s(t) = 2z(t)"), VerdictWord::Holds);
+    assert_eq!(process("s(t^2) = 2z(t)"), VerdictWord::Undecided);
+    assert_eq!(
+        process("\\int_0^1 z(t)\\,dt = z(t)"),
+        VerdictWord::Undecided
+    );
+}
+
+/// An inequality with another bound may be true as well: it is proved, and holds at points.
+#[test]
+fn an_inequality_that_is_true_as_well_is_no_survivor() {
+    let text = "```toml symbols\na = { positive = true, meaning = \"\" }\n```\n\
+                ```math 1 claim\n2a + 1 > 0\n```\n";
+    let sound = mutation(text);
+    assert_eq!(faults(&sound), Vec::<String>::new());
+    let count = |m: &Mutation, wanted: fn(&Fate) -> bool| {
+        m.tried.iter().filter(|t| wanted(&t.fate)).count()
+    };
+    let as_well = |f: &Fate| matches!(f, Fate::Equivalent(Equivalence::TrueAsWell));
+    let refuted = |f: &Fate| matches!(f, Fate::Refuted { .. });
+    assert!(count(&sound, as_well) > 0 && count(&sound, refuted) > 0);
+    let blind = mutate_by(
+        &document(text),
+        &options(),
+        &Always(Finding::Accepted),
+        &Unwatched,
+    );
+    let blind = blind.unwrap_or_else(|rejection| panic!("{rejection}"));
+    assert!(total(&blind).survived >= count(&sound, refuted));
 }

@@ -8,7 +8,7 @@
 use super::Checker;
 use crate::domain::Symbolic;
 use crate::evaluate::{Failure, Value};
-use crate::expr::{Expr, ExprKind, Function, Relation};
+use crate::expr::{Display, Expr, ExprKind, Function, Relation};
 use crate::latex;
 use crate::matrix::Matrix;
 use crate::model::links::Link;
@@ -65,6 +65,26 @@ impl Checker<'_> {
             }
         }
         Verdict::Holds { by: Vec::new() }
+    }
+
+    /// What a link with a relation of order asks to be positive, or not negative, in the declared
+    /// symbols; none where that is not known.
+    pub(crate) fn asked_positive(
+        &mut self,
+        display: &Display,
+        link: &Link,
+    ) -> Option<Vec<RationalFunction>> {
+        let (left, right) = (link.left.find(display)?, link.right.find(display)?);
+        let (upper, lower) = match link.relation {
+            Relation::Greater | Relation::GreaterEqual => (left, right),
+            Relation::Less | Relation::LessEqual => (right, left),
+            _ => return None,
+        };
+        let strict = matches!(link.relation, Relation::Greater | Relation::Less);
+        let signs = self.signs_asked(upper, lower, strict).ok()?.ok()?;
+        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+        let inserted = signs.positive.iter().map(|f| f.substitute(&all.letters));
+        inserted.collect::<Result<_, _>>().ok()
     }
 
     /// What must be positive for `upper - lower` to be so; a verdict where that is clear already.

@@ -8,7 +8,7 @@ use crate::model::links::Link;
 use crate::verdict::{Refutation, ResidualEntry, Witness};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 use ratpoly::RationalFunction;
 
 /// How many points are looked at: the sides differ at all but few.
@@ -99,6 +99,31 @@ impl Checker<'_> {
             Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol].value.is_some(),
             _ => false,
         }
+    }
+
+    /// Whether a function of the declared symbols is positive, or not negative, at so many points,
+    /// of which some are negative in the letters that may be so; false where none has a value.
+    pub(crate) fn is_positive_at(&self, f: &RationalFunction, points: u32, strict: bool) -> bool {
+        let mut seen = false;
+        (0..points).all(|k| {
+            let point: Vec<BigRational> = (0..self.model.letters.len())
+                .map(|letter| {
+                    // From far below one to far above.
+                    let scale = BigInt::from(1_u32 << ((7 * k as usize + 3 * letter) % 13));
+                    let value = small(letter, k) * BigRational::new(scale, 64.into());
+                    let flipped = !self.model.is_positive(letter) && (k >> (letter % 5)) % 2 == 1;
+                    if flipped { -value } else { value }
+                })
+                .collect();
+            match f.evaluate(&point) {
+                Ok(value) => {
+                    seen = true;
+                    value.is_positive() || !strict && value.is_zero()
+                }
+                // A pole says nothing.
+                Err(_) => true,
+            }
+        }) && seen
     }
 
     /// A value for each letter: the reference values of the declared symbols where they have any,

@@ -8,7 +8,7 @@ use crate::check::{Checker, Options};
 use crate::diagnostic::Rejection;
 use crate::document::Document;
 use crate::evaluate::Value;
-use crate::expr::Display;
+use crate::expr::{Display, Relation};
 use crate::latex;
 use crate::model::links::Link;
 use crate::model::{Model, Node};
@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 
 /// Why a definition may be undecided.
 pub(super) const UNTOLD: &str = "no claim tells it apart";
+
+/// At how many points an inequality that is true after an edit too is evaluated.
+const POINTS: u32 = 32;
 
 /// What every bench needs to know of the document.
 pub(super) struct Plan<'p> {
@@ -188,6 +191,9 @@ impl<'m, 'p> Bench<'m, 'p> {
         let equal = after.is_some() && before == after;
         fate = match fate {
             Fate::Survived if equal => Fate::Equivalent(Equivalence::SameValue),
+            Fate::Survived if changed.nodes.is_empty() => self
+                .inequality(instance, mutant, changed)
+                .map_or(Fate::Survived, Fate::Equivalent),
             Fate::Survived if !changed.nodes.is_empty() => Fate::Undecided(UNTOLD.into()),
             Fate::Refuted { by, .. } => Fate::Refuted {
                 by,
@@ -202,6 +208,41 @@ impl<'m, 'p> Bench<'m, 'p> {
             table.take_back(self.letters);
         }
         fate
+    }
+
+    /// Whether the changed claims are inequalities that ask the same as before, or are true at points
+    /// as well.
+    fn inequality(
+        &mut self,
+        instance: usize,
+        mutant: &Mutant,
+        changed: &Changed,
+    ) -> Option<Equivalence> {
+        let mut same = true;
+        for (e, l) in &changed.claims {
+            let equation = &self.model.equations[*e];
+            let link = &equation.links[*l];
+            let checker = &mut self.checkers[instance];
+            let mut under = match checker.under(*e) {
+                None => None,
+                Some(under) => Some(under.ok()?),
+            };
+            let checker = under.as_mut().unwrap_or(checker);
+            let asked = checker.asked_positive(&mutant.display, link)?;
+            let strict = matches!(link.relation, Relation::Greater | Relation::Less);
+            if checker.asked_positive(&equation.display, link).as_ref() != Some(&asked) {
+                same = false;
+                let mut asked = asked.iter();
+                if !asked.all(|f| checker.is_positive_at(f, POINTS, strict)) {
+                    return None;
+                }
+            }
+        }
+        Some(if same {
+            Equivalence::SameValue
+        } else {
+            Equivalence::TrueAsWell
+        })
     }
 
     /// The verdicts on what a mutant changes and on what depends on it; [`Fate::Survived`] where all

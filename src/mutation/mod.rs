@@ -93,6 +93,19 @@ pub enum Equivalence {
     PrintsTheSame,
     /// Its values are the same once all definitions are inserted.
     SameValue,
+    /// It is an inequality that is proved as well, and is true at points chosen apart from the proof.
+    TrueAsWell,
+}
+
+impl Equivalence {
+    /// In words.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Equivalence::PrintsTheSame => "prints the same",
+            Equivalence::SameValue => "has the same value",
+            Equivalence::TrueAsWell => "another inequality that is true as well",
+        }
+    }
 }
 
 /// What becomes of a mutant.

@@ -1,7 +1,7 @@
 //! The figures for programs: `rederive mutate --json`, described by `schemas/mutation.schema.json`.
 
 use crate::mutation::tally::{Tally, tally};
-use crate::mutation::{Equivalence, Fate, Mutation, Tried};
+use crate::mutation::{Fate, Mutation, Tried};
 use crate::report::json::Software;
 use crate::report::ordered::Ordered;
 use serde::Serialize;
@@ -168,8 +168,7 @@ fn mutant(mutation: &Mutation, tried: &Tried) -> Mutant {
         printed: tried.printed.clone(),
         mutant: tried.mutant.clone(),
         why: match &tried.fate {
-            Fate::Equivalent(Equivalence::PrintsTheSame) => Some("prints the same".into()),
-            Fate::Equivalent(Equivalence::SameValue) => Some("has the same value".into()),
+            Fate::Equivalent(equivalence) => Some(equivalence.as_str().into()),
             Fate::Undecided(reason) => Some(reason.clone()),
             _ => None,
         },

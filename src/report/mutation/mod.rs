@@ -3,7 +3,7 @@
 pub mod json;
 
 use crate::mutation::tally::{Tally, tally};
-use crate::mutation::{Equivalence, Fate, Mutation, Tried};
+use crate::mutation::{Fate, Mutation, Tried};
 use comfy_table::{CellAlignment, Table, presets};
 use std::collections::BTreeMap;
 
@@ -158,8 +158,7 @@ fn meaningless(mutation: &Mutation) -> String {
 
 fn equivalent(mutation: &Mutation) -> String {
     let groups = grouped(mutation, |tried| match &tried.fate {
-        Fate::Equivalent(Equivalence::PrintsTheSame) => Some("prints the same".into()),
-        Fate::Equivalent(Equivalence::SameValue) => Some("has the same value".into()),
+        Fate::Equivalent(equivalence) => Some(equivalence.as_str().to_string()),
         _ => None,
     });
     group_lines("equivalent to the original:", groups)
