@@ -163,12 +163,12 @@ impl<D: Domain> Evaluator<'_, D> {
                 } else {
                     m
                 };
-                let mut product = arithmetic::identity(&self.field, factor.rows());
+                let one = arithmetic::identity(&self.field, factor.rows());
+                let (mut product, factor) = (Value::Matrix(one), Value::Matrix(factor));
                 for _ in 0..magnitude {
-                    product = arithmetic::multiply(&self.field, &product, &factor)
-                        .ok_or_else(too_large)?;
+                    product = self.multiply(&product, &factor, span)?;
                 }
-                Ok(Value::from_matrix(product))
+                Ok(product)
             }
             Value::Zero => Ok(Value::Zero),
         }

@@ -11,7 +11,7 @@ use crate::evaluate::Value;
 use crate::expr::{Display, Relation};
 use crate::latex;
 use crate::model::links::Link;
-use crate::model::{Model, Node};
+use crate::model::{DefinitionKind, Model, Node};
 use ratpoly::RationalFunction;
 use std::collections::BTreeSet;
 
@@ -184,8 +184,16 @@ impl<'m, 'p> Bench<'m, 'p> {
         };
         // A second opinion, from the values alone: what has passed must be the same, and what is
         // refuted must not be.
+        let much = changed.nodes.iter().any(|(node, _)| match node {
+            Node::Definition(d) => {
+                let kind = &model.definitions[*d].kind;
+                matches!(kind, DefinitionKind::Family { .. })
+            }
+            _ => true,
+        });
         let after = match &fate {
             Fate::Meaningless { .. } => None,
+            Fate::Refuted { .. } if much => None,
             _ => self.values(instance, changed, &mutant.display),
         };
         let equal = after.is_some() && before == after;
@@ -259,10 +267,9 @@ impl<'m, 'p> Bench<'m, 'p> {
         let definitions = changed.nodes.iter().map(|(_, link)| (e, *link));
         let others = dependents.claims.iter().copied();
         let others = others.filter(|at| !changed.claims.contains(at));
-        let judged: Vec<LinkAt> = definitions
-            .chain(changed.claims.iter().copied())
-            .chain(others)
-            .collect();
+        // What a definition defines may be much; a claim needs little of it.
+        let claims = changed.claims.iter().copied();
+        let judged: Vec<LinkAt> = claims.chain(others).chain(definitions).collect();
         for at in judged {
             match self.decided(instance, mutant, at) {
                 Finding::Accepted => {}

@@ -27,8 +27,8 @@ pub enum Solution<E> {
 }
 
 /// The most that elements may grow: the terms of one, and the products of two operands' sizes in all.
-const LARGEST_ELEMENT: usize = 500;
-const LARGEST_WORK: usize = 500_000;
+const LARGEST_ELEMENT: usize = 300;
+const LARGEST_WORK: usize = 200_000;
 
 /// What an elimination has spent.
 struct Spent(usize);
