@@ -512,6 +512,7 @@ impl<'m> Checker<'m> {
             FailureKind::Budget { what } => format!("too many {what}"),
             FailureKind::Outside { name } => format!("{name} does not exist"),
             FailureKind::Divergent { reason, .. } => format!("the integral diverges: {reason}"),
+            FailureKind::NeedsItself => "a definition needs itself".into(),
             FailureKind::NotLinear => "the equation is not linear in its unknowns".into(),
             FailureKind::Underdetermined => "the unknowns are not determined".into(),
             FailureKind::Inconsistent => "the equations contradict each other".into(),

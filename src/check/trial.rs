@@ -92,6 +92,7 @@ impl Nonsense {
                 Nonsense::Undetermined
             }
             FailureKind::Divergent { .. } => Nonsense::Divergent,
+            FailureKind::NeedsItself => Nonsense::Circular,
             FailureKind::Budget { .. } | FailureKind::Unsupported { .. } => return None,
         })
     }

@@ -50,6 +50,8 @@ pub enum FailureKind {
         /// The name.
         name: String,
     },
+    /// A definition whose value needs itself.
+    NeedsItself,
     /// An equation to be solved that is not linear in its unknowns.
     NotLinear,
     /// An equation to be solved with more than one solution.

@@ -154,7 +154,7 @@ impl<D: Domain> Evaluator<'_, D> {
             ));
         }
         if !self.open.insert(key.clone()) {
-            return Err(Failure::unsupported("a definition that needs itself", span));
+            return Err(Failure::new(FailureKind::NeedsItself, span));
         }
         let before = self.conditions.len();
         let outer = std::mem::take(&mut self.bound);

@@ -51,8 +51,12 @@ impl Bench<'_, '_> {
             proposal: None,
         };
         if let Some(correction) = correction {
-            repair.proposal = Some(latex::write_display(&correction.display));
-            repair.first = self.says_the_same(mutant, &correction.display, &stale);
+            // The display is the mutant's own where a definition is proposed instead.
+            let proposed = correction.definition.as_ref();
+            let proposed = proposed.map_or(&correction.display, |(_, display)| display);
+            repair.proposal = Some(latex::write_display(proposed));
+            repair.first = correction.definition.is_none()
+                && self.says_the_same(mutant, &correction.display, &stale);
             repair.any = repair.first
                 || correction
                     .others
