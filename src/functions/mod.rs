@@ -10,7 +10,7 @@
 //! extensions of Risch 1969, here with quadratic steps). All symbols stand for real numbers.
 //!
 //! Invariants: an argument mentions only letters that were given out before; the table only grows, but for
-//! letters that are [taken back](FunctionTable::take_back) once nothing uses them.
+//! letters that are taken back once nothing uses them.
 
 mod calculus;
 mod elementary;
