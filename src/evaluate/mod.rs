@@ -37,7 +37,7 @@ const LARGEST_RANGE: i64 = 10_000;
 /// The longest chain of definitions that need each other.
 const LONGEST_CHAIN: usize = 5_000;
 /// The largest product of two operands' sizes (terms) that is multiplied out.
-const LARGEST_PRODUCT: usize = 2_000_000;
+const LARGEST_PRODUCT: usize = 500_000;
 
 /// A divisor that must not vanish.
 #[derive(Clone, Debug, PartialEq)]

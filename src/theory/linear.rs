@@ -27,14 +27,14 @@ pub enum Solution<E> {
 }
 
 /// The most that elements may grow: the terms of one, and the products of two operands' sizes in all.
-const LARGEST_ELEMENT: usize = 300;
-const LARGEST_WORK: usize = 200_000;
+const LARGEST_ELEMENT: usize = 500;
+const LARGEST_WORK: usize = 250_000;
 
 /// What an elimination has spent.
 struct Spent(usize);
 
 impl Spent {
-    /// Whether `left * right` is still to be multiplied out.
+    /// Whether `left` and `right` are still to be multiplied or divided.
     fn admits<D: Domain>(&mut self, field: &D, left: &D::Element, right: &D::Element) -> bool {
         let (left, right) = (field.size(left), field.size(right));
         self.0 = self.0.saturating_add(left.saturating_mul(right));
@@ -90,6 +90,9 @@ pub fn solve<D: Domain>(
             if field.is_zero(&rows[i][j]) {
                 continue;
             }
+            if !spent.admits(field, &rows[i][j], &pivot) {
+                return Solution::TooLarge;
+            }
             let Some(factor) = field.divide(&rows[i][j], &pivot) else {
                 continue;
             };
@@ -120,6 +123,9 @@ pub fn solve<D: Domain>(
                 }
                 sum = field.subtract(&sum, &field.multiply(&rows[*p][k], &values[k]));
             }
+        }
+        if !spent.admits(field, &sum, pivot) {
+            return Solution::TooLarge;
         }
         values[*j] = field
             .divide(&sum, pivot)
