@@ -30,7 +30,7 @@ use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Letter, Model, Node, Role};
 use crate::theory::stability::hurwitz_determinants;
 use crate::verdict::statement::StatementOutcome;
-use crate::verdict::{Certificate, Flaw, Outcome, Refutation, Verdict};
+use crate::verdict::{Certificate, Flaw, Outcome, Positivity, Refutation, Verdict};
 use identity::Decision;
 use num_traits::Signed;
 use ratpoly::RationalFunction;
@@ -207,13 +207,39 @@ impl<'m> Checker<'m> {
 
     /// What is found out about one link of an equation, whose hypotheses may be unusable.
     fn outcome(&mut self, equation: usize, l: usize, unusable: Option<&str>) -> Outcome {
+        let printed = &self.model.equations[equation];
+        let mut certificate = Certificate::default();
+        let mut positivity = None;
+        let verdict = self.verdict(equation, l, unusable, &mut certificate, &mut positivity);
+        debug_assert!(certificate.verify(), "a certificate that does not verify");
+        let conditions = self.conditions();
+        let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
+        Outcome {
+            equation,
+            member: printed.links[l].member,
+            verdict,
+            conditions,
+            certificate,
+            positivity,
+            assumed: assumed.collect(),
+            instances: vec![self.instance],
+        }
+    }
+
+    /// The verdict on one link, with what shows it.
+    fn verdict(
+        &mut self,
+        equation: usize,
+        l: usize,
+        unusable: Option<&str>,
+        certificate: &mut Certificate,
+        positivity: &mut Option<Positivity>,
+    ) -> Verdict {
         let model = self.model;
         let printed = &model.equations[equation];
         let link = &printed.links[l];
         self.exact.conditions.clear();
-        let mut certificate = Certificate::default();
-        let mut positivity = None;
-        let verdict = if let Role::Recall(reason) = &printed.role {
+        if let Role::Recall(reason) = &printed.role {
             Verdict::Recalled {
                 reason: reason.clone(),
             }
@@ -239,22 +265,9 @@ impl<'m> Checker<'m> {
         } else if link.relation == Relation::Tends {
             self.tends(equation, link)
         } else if link.relation != Relation::Equal {
-            self.inequality(equation, link, &mut positivity)
+            self.inequality(equation, link, positivity)
         } else {
-            self.claim(equation, link, &mut certificate)
-        };
-        debug_assert!(certificate.verify(), "a certificate that does not verify");
-        let conditions = self.conditions();
-        let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
-        Outcome {
-            equation,
-            member: link.member,
-            verdict,
-            conditions,
-            certificate,
-            positivity,
-            assumed: assumed.collect(),
-            instances: vec![self.instance],
+            self.claim(equation, link, certificate)
         }
     }
 

@@ -10,7 +10,7 @@ use crate::evaluate::{Displaced, Failure, FailureKind, Value};
 use crate::expr::Display;
 use crate::model::links::Link;
 use crate::model::{Definition, DefinitionKind, Letter, Node};
-use crate::verdict::{Correction, Verdict};
+use crate::verdict::{Certificate, Correction, Verdict};
 use ratpoly::RationalFunction;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -206,7 +206,7 @@ impl<'m> Checker<'m> {
     pub(crate) fn finding_as_it_is(&mut self, equation: usize, link: usize) -> Finding {
         self.diagnostics.clear();
         self.failure = None;
-        let verdict = self.outcome(equation, link, None).verdict;
+        let verdict = self.verdict_alone(equation, link);
         if let Some(nonsense) = self.nonsense() {
             return Finding::Meaningless(nonsense);
         }
@@ -238,11 +238,19 @@ impl<'m> Checker<'m> {
         }
     }
 
+    /// The verdict on a link without the conditions that its divisors make.
+    fn verdict_alone(&mut self, equation: usize, link: usize) -> Verdict {
+        let mut certificate = Certificate::default();
+        let verdict = self.verdict(equation, link, None, &mut certificate, &mut None);
+        debug_assert!(certificate.verify(), "a certificate that does not verify");
+        verdict
+    }
+
     /// The correction that the search proposes for a link, if it is refuted.
     pub(crate) fn correction(&mut self, equation: usize, link: usize) -> Option<Correction> {
         let verdict = match self.under(equation) {
-            None => self.outcome(equation, link, None).verdict,
-            Some(Ok(mut under)) => under.outcome(equation, link, None).verdict,
+            None => self.verdict_alone(equation, link),
+            Some(Ok(mut under)) => under.verdict_alone(equation, link),
             Some(Err(_)) => return None,
         };
         match verdict {
@@ -311,6 +319,13 @@ impl<'m> Checker<'m> {
             self.inserted.iter().map(|(l, v)| (*l, v.clone())).collect();
         value
             .try_map(|element| {
+                let used = match &self.model.functions {
+                    Some(table) => table.letters_behind(element),
+                    None => super::identity::letters_of([element]),
+                };
+                if !letters.iter().any(|(letter, _)| used.contains(letter)) {
+                    return Ok(element.clone());
+                }
                 match &self.model.functions {
                     Some(table) => table.substitute(element, &letters).ok(),
                     None => element.substitute(&letters).ok(),

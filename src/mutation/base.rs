@@ -38,7 +38,9 @@ pub(super) enum Standing {
 /// When the document cannot be checked.
 pub(super) fn corrected(document: &Document) -> Result<Document, Rejection> {
     let reject = |diagnostics| document.reject(diagnostics);
-    let model = Model::build(document).map_err(reject)?;
+    let mut model = Model::build(document).map_err(reject)?;
+    // Statements in words are neither damaged nor asked.
+    model.statements.clear();
     let verdicts = check::check(&model, Options::default()).map_err(reject)?;
     let exact = check::corrected(&model, &verdicts.links);
     let mut text = document.text.clone();
