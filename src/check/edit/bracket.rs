@@ -349,6 +349,19 @@ fn of_quotient(expr: &Expr) -> Forms {
             found.push((quotient(product(rest, span), all, *style, span), 1));
         }
     }
+    // \sqrt{a/b} for \sqrt{a}/b and for a/\sqrt{b}.
+    for (above, below, part) in [(true, false, numerator), (false, true, denominator)] {
+        if let ExprKind::Call { function, argument } = &inside(part).kind {
+            let top = if above { argument } else { numerator };
+            let bottom = if below { argument } else { denominator };
+            let bar = quotient((**top).clone(), (**bottom).clone(), *style, span);
+            let kind = ExprKind::Call {
+                function: *function,
+                argument: Box::new(bar),
+            };
+            found.push((Expr::new(kind, span), 1));
+        }
+    }
     // a/(b + c) for a/b + c is in `opened`; (a + b)/c for a + b/c there too.
     found
 }

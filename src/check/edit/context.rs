@@ -33,6 +33,8 @@ pub struct Context {
     pub letters: Vec<Known>,
     /// The letter of the ratio of a circle's circumference to its diameter, where it has one.
     pub pi: Option<Name>,
+    /// The letter of the zero of any shape, where it has one.
+    pub zero: Option<Name>,
     /// Whether it uses functions beyond arithmetic, such as roots and sines.
     pub functions: bool,
 }
@@ -87,9 +89,15 @@ impl Context {
             .iter()
             .find(|n| matches!(n.kind, NotationKind::Constant(Constant::Pi)))
             .map(|n| n.name.clone());
+        let zero = model
+            .notation
+            .iter()
+            .find(|n| matches!(n.kind, NotationKind::Zero))
+            .map(|n| n.name.clone());
         Context {
             letters,
             pi,
+            zero,
             functions: model.functions.is_some(),
         }
     }

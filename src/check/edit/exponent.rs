@@ -96,7 +96,7 @@ fn gained(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
     let exponents: &[(i64, u32)] = if matrix {
         &[(2, 0), (-1, 2)]
     } else {
-        &[(2, 0), (3, 1), (4, 3), (-1, 3)]
+        &[(2, 0), (3, 1), (4, 3), (-1, 3), (-2, 4)]
     };
     for (exponent, rare) in exponents {
         found.push(edit(site, power(site.expr.clone(), *exponent)).rarer(*rare));

@@ -2,11 +2,11 @@
 //!
 //! The form of an expression collects like factors of each monomial and like monomials of each sum,
 //! and multiplies no bracket out: `ab/c` and `b(a/c)` have one form, `(a + b)^2` and
-//! `a^2 + 2ab + b^2` two.
+//! `a^2 + 2ab + b^2` two. What is no sum or product, such as a cosine, has the forms of its parts.
 
 use crate::expr::{Display, Expr, ExprKind, Font, Sign};
 use crate::latex;
-use crate::model::links::{Link, visit};
+use crate::model::links::{Link, children, children_mut, visit};
 use crate::model::names::literal_integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero, pow};
@@ -105,7 +105,7 @@ impl Monomial {
                 self.take(base, exponent * n);
             }
             _ => {
-                let mut whole = latex::write_expr(expr);
+                let mut whole;
                 if let ExprKind::Sum(_) = &expr.kind {
                     let inner = form(expr);
                     whole = text(&inner);
@@ -121,6 +121,8 @@ impl Monomial {
                         self.coefficient *= if exponent < 0 { power.recip() } else { power };
                         whole.clone_from(monomial);
                     }
+                } else {
+                    whole = shell(expr);
                 }
                 if is_ordered(expr) {
                     match self.ordered.last_mut() {
@@ -150,6 +152,20 @@ fn is_ordered(expr: &Expr) -> bool {
     found
 }
 
+/// What is neither sum nor product: how it is put together, with the forms of its parts.
+fn shell(expr: &Expr) -> String {
+    let parts = children(expr);
+    if parts.is_empty() {
+        return latex::write_expr(expr);
+    }
+    let forms: Vec<String> = parts.into_iter().map(|part| text(&form(part))).collect();
+    let mut empty = expr.clone();
+    for part in children_mut(&mut empty) {
+        part.kind = ExprKind::Infinity;
+    }
+    format!("{}{{{}}}", latex::write_expr(&empty), forms.join(";"))
+}
+
 fn form(expr: &Expr) -> Form {
     let mut found = Form::new();
     match &expr.kind {
@@ -172,14 +188,7 @@ fn form(expr: &Expr) -> Form {
         }
         ExprKind::Product(_) | ExprKind::Quotient { .. } | ExprKind::Power { .. } => {
             let mut monomial = Monomial::one();
-            if let ExprKind::Power { base, exponent } = &expr.kind
-                && literal_integer(exponent).is_none()
-            {
-                let text = format!("{}^({})", text(&form(base)), text(&form(exponent)));
-                monomial.factors.insert(text, 1);
-            } else {
-                monomial.take(expr, 1);
-            }
+            monomial.take(expr, 1);
             let scalar = monomial.factors.iter().filter(|(_, n)| **n != 0);
             let ordered = monomial.ordered.iter().filter(|(_, n)| *n != 0);
             let mut factors: Vec<String> = scalar.map(|(f, n)| format!("({f})^{n}")).collect();
@@ -202,9 +211,9 @@ fn form(expr: &Expr) -> Form {
         }
         _ => {
             let text = if is_ordered(expr) {
-                format!("[{}]^1", latex::write_expr(expr))
+                format!("[{}]^1", shell(expr))
             } else {
-                format!("({})^1", latex::write_expr(expr))
+                format!("({})^1", shell(expr))
             };
             found.insert(text, BigRational::one());
         }

@@ -1,14 +1,18 @@
-//! Other readings of each printed index: the index expressions of the same link in other slots,
-//! exchanged letters, the same subscript in another order, neighbours, digits exchanged.
+//! Other readings of each printed index: its items in another order, neighbours, exchanged letters
+//! and digits, the running letters and the literals of the other indices of the equation.
 
 use super::build::{number, sum};
 use super::letter::{name_of, with_name};
 use super::{Address, Replacement, Scene, Site};
 use crate::expr::{Display, Expr, ExprKind, Name, Sign, Subscript};
 use crate::latex;
-use crate::model::links::children_mut;
+use crate::model::links::{children_mut, visit};
 use crate::model::names::literal_integer;
 use crate::verdict::EditClass;
+use std::collections::BTreeSet;
+
+/// Literals of the indices of an equation that are tried in its other indices.
+const LITERALS: usize = 8;
 
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let subscripts: Vec<(&Site<'_>, &Name, &Subscript, Vec<Name>)> = scene
@@ -26,10 +30,17 @@ pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
             is_index.then_some((site, name, subscript, letters))
         })
         .collect();
+    let mut literals: Vec<Expr> = Vec::new();
+    for index in subscripts.iter().flat_map(|(_, _, s, _)| &s.indices) {
+        for literal in literals_in(index) {
+            if literals.len() < LITERALS && !literals.contains(&literal) {
+                literals.push(literal);
+            }
+        }
+    }
     let mut found = Vec::new();
     for (site, name, subscript, letters) in &subscripts {
-        let pool = index_pool(&subscript.indices, letters);
-        for tuple in tuples(&pool, subscript.indices.len()) {
+        for tuple in readings(&subscript.indices, letters, &literals) {
             if tuple == subscript.indices {
                 continue;
             }
@@ -76,7 +87,7 @@ const SUM_BODY: usize = 2;
 
 fn is_index_expression(expr: &Expr, letters: &[Name]) -> bool {
     let mut plain = true;
-    crate::model::links::visit(expr, &mut |e| {
+    visit(expr, &mut |e| {
         plain &= match &e.kind {
             ExprKind::Name(name) => letters.contains(name),
             ExprKind::Number(n) => n.is_integer(),
@@ -87,47 +98,98 @@ fn is_index_expression(expr: &Expr, letters: &[Name]) -> bool {
     plain
 }
 
-/// What could stand in a slot of this subscript: its own items, these with two letters exchanged,
-/// the literals in them and their neighbours.
-fn index_pool(items: &[Expr], letters: &[Name]) -> Vec<Expr> {
-    let mut pool: Vec<Expr> = Vec::new();
-    let mut add = |expr: Expr| {
-        if !pool.contains(&expr) {
-            pool.push(expr);
+/// Other tuples: made of the same letters and literals; each slot one more or less; two letters exchanged in all slots; and in one slot
+/// whatever else could stand there.
+fn readings(items: &[Expr], letters: &[Name], literals: &[Expr]) -> Vec<Vec<Expr>> {
+    let slots: Vec<Vec<Expr>> = items.iter().map(neighbours).collect();
+    let mut own = items.to_vec();
+    own.extend(items.iter().flat_map(literals_in));
+    let running = letters.iter().map(|l| ExprKind::Name(l.clone()));
+    own.extend(running.map(|kind| Expr::new(kind, crate::span::Span::default())));
+    let mut found = tuples(&vec![own; items.len()]);
+    let printed = atoms(items);
+    found.retain(|tuple| atoms(tuple) == printed);
+    found.extend(tuples(&slots));
+    for (i, one) in letters.iter().enumerate() {
+        for other in &letters[..i] {
+            let all = items.iter().map(|item| exchanged(item, one, other));
+            found.push(all.collect());
         }
-    };
-    for item in items {
-        add(item.clone());
     }
+    let pool = elsewhere(items, letters, literals);
+    for slot in 0..items.len() {
+        for other in &pool {
+            let mut tuple = items.to_vec();
+            tuple[slot] = other.clone();
+            found.push(tuple);
+        }
+    }
+    let mut seen: Vec<Vec<Expr>> = Vec::new();
+    for tuple in found {
+        if !seen.contains(&tuple) {
+            seen.push(tuple);
+        }
+    }
+    seen
+}
+
+fn literals_in(expr: &Expr) -> Vec<Expr> {
+    let mut found = Vec::new();
+    visit(expr, &mut |e| {
+        if matches!(e.kind, ExprKind::Number(_)) {
+            found.push(e.clone());
+        }
+    });
+    found
+}
+
+/// The letters and literals of some items.
+fn atoms(items: &[Expr]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for item in items {
+        visit(item, &mut |e| {
+            if matches!(e.kind, ExprKind::Name(_) | ExprKind::Number(_)) {
+                found.insert(latex::write_expr(e));
+            }
+        });
+    }
+    found
+}
+
+/// An item, one more and one less.
+fn neighbours(item: &Expr) -> Vec<Expr> {
+    let mut found = vec![item.clone()];
+    match literal_integer(item) {
+        Some(value) => {
+            let near = [value - 1, value + 1].into_iter().filter(|n| *n >= 0);
+            found.extend(near.map(|n| number(n, item.span)));
+        }
+        None => found.extend([Sign::Plus, Sign::Minus].map(|sign| shifted(item, sign))),
+    }
+    found
+}
+
+/// What could stand in one slot: the neighbours of all items, these with two letters exchanged, the
+/// literals printed in indices, and the running letters with their neighbours.
+fn elsewhere(items: &[Expr], letters: &[Name], literals: &[Expr]) -> Vec<Expr> {
+    let mut pool: Vec<Expr> = items.iter().flat_map(neighbours).collect();
     for item in items {
         for (i, one) in letters.iter().enumerate() {
             for other in &letters[..i] {
-                add(exchanged(item, one, other));
+                pool.push(exchanged(item, one, other));
             }
         }
-        crate::model::links::visit(item, &mut |e| {
-            if matches!(e.kind, ExprKind::Number(_)) {
-                add(e.clone());
-            }
-        });
-        if let Some(value) = literal_integer(item) {
-            for neighbour in [value - 1, value + 1] {
-                if neighbour >= 0 {
-                    add(number(neighbour, item.span));
-                }
-            }
-            // Two indices of one digit each, printed as a number.
-            if (10..=99).contains(&value) {
-                let (first, second) = (value / 10, value % 10);
-                for other in [second * 10 + first, value + 10, value - 10] {
-                    add(number(other, item.span));
-                }
-            }
-        } else {
-            for sign in [Sign::Plus, Sign::Minus] {
-                add(shifted(item, sign));
-            }
+        // Two indices of one digit each, printed as a number.
+        if let Some(value @ 10..=99) = literal_integer(item) {
+            let (first, second) = (value / 10, value % 10);
+            let others = [second * 10 + first, value + 10, value - 10];
+            pool.extend(others.map(|n| number(n, item.span)));
         }
+    }
+    pool.extend(literals.to_vec());
+    for letter in letters {
+        let item = Expr::new(ExprKind::Name(letter.clone()), crate::span::Span::default());
+        pool.extend(neighbours(&item));
     }
     pool
 }
@@ -147,12 +209,13 @@ fn exchanged(expr: &Expr, one: &Name, other: &Name) -> Expr {
     copy
 }
 
-fn tuples(pool: &[Expr], length: usize) -> Vec<Vec<Expr>> {
-    (0..length).fold(vec![Vec::new()], |shorter, _| {
+/// One of the choices for each slot.
+fn tuples(slots: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+    slots.iter().fold(vec![Vec::new()], |shorter, choices| {
         shorter
             .iter()
             .flat_map(|tuple| {
-                pool.iter().map(move |item| {
+                choices.iter().map(move |item| {
                     let mut longer: Vec<Expr> = tuple.clone();
                     longer.push(item.clone());
                     longer

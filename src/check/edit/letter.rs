@@ -123,6 +123,19 @@ fn exchanged(
             found.push(edit(with_name(site.expr, other)).rarer(rare));
         }
     }
+    // A factor that is zero is a term that is dropped.
+    let whole = matches!(
+        site.parent.map(|p| &p.kind),
+        None | Some(ExprKind::Matrix { .. })
+    );
+    if let Some(zero) = &context.zero
+        && whole
+        && kind == Kind::Matrix
+        && zero != name
+        && matches!(site.expr.kind, ExprKind::Name(_))
+    {
+        found.push(edit(with_name(site.expr, zero.clone())).rarer(12));
+    }
     let part = site.parent.is_some();
     let plain = part && matches!(site.expr.kind, ExprKind::Name(_)) && name.dots == 0;
     if plain && kind == Kind::Scalar {

@@ -3,21 +3,27 @@
 //! instead is in `solved`.
 
 use super::build::{factor, factors, number, product, quotient, sum, terms};
+use super::mark::may_be_matrix;
 use super::{Kind, Replacement, Scene, Site, name_of};
 use crate::expr::{Expr, ExprKind, QuotientStyle, Sign};
+use crate::model::links::visit;
 use crate::verdict::EditClass;
 
 /// Terms of the equation that are tried in its sums.
 const TERMS: usize = 12;
 /// Letters of the equation that are tried as factors.
 const FACTORS: usize = 16;
+/// Matrices of the equation that are tried as factors.
+const MATRICES: usize = 6;
 
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let (letters, terms) = (letters(scene), pool(scene));
+    let matrices = matrices(scene);
     let mut found = Vec::new();
     for site in &scene.sites {
-        dropped(site, &mut found);
+        dropped(scene, site, &mut found);
         with_factors(site, &letters, &mut found);
+        with_matrices(site, &matrices, &mut found);
         with_terms(site, &terms, &mut found);
     }
     found
@@ -28,7 +34,7 @@ fn edit(site: &Site<'_>, to: Expr) -> Replacement {
 }
 
 /// A term or factor left out; an integer factor left out is a slip of its own class.
-fn dropped(site: &Site<'_>, found: &mut Vec<Replacement>) {
+fn dropped(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
     let span = site.expr.span;
     match &site.expr.kind {
         ExprKind::Sum(terms) if terms.len() > 1 => {
@@ -47,6 +53,15 @@ fn dropped(site: &Site<'_>, found: &mut Vec<Replacement>) {
                     _ => EditClass::Term,
                 };
                 found.push(Replacement::new(site, class, product(fewer, span)).rarer(3));
+            }
+            // 2π is gained and lost as one.
+            let circle = |e: &Expr| name_of(e).is_some_and(|n| scene.context.is_pi(n));
+            if let [first, second, rest @ ..] = items.as_slice()
+                && matches!(first.kind, ExprKind::Number(_))
+                && circle(second)
+            {
+                let fewer = product(rest.to_vec(), span);
+                found.push(Replacement::new(site, EditClass::Factor, fewer).rarer(3));
             }
         }
         ExprKind::Quotient {
@@ -130,6 +145,76 @@ fn with_factors(site: &Site<'_>, letters: &[Expr], found: &mut Vec<Replacement>)
     }
 }
 
+/// The matrices of the equation by their letters, and transposed.
+fn matrices(scene: &Scene<'_>) -> Vec<Expr> {
+    let mut found: Vec<Expr> = Vec::new();
+    for site in &scene.sites {
+        let ExprKind::Name(name) = &site.expr.kind else {
+            continue;
+        };
+        let matrix = scene.context.kind_of(name) == Kind::Matrix;
+        if matrix && scene.context.zero.as_ref() != Some(name) && !found.contains(site.expr) {
+            found.push(site.expr.clone());
+        }
+    }
+    found.truncate(MATRICES);
+    let transposed = found.clone().into_iter().map(transposed);
+    found.extend(transposed);
+    found
+}
+
+/// The transpose of a matrix; of a transpose what it is taken of.
+fn transposed(expr: Expr) -> Expr {
+    let span = expr.span;
+    match expr.kind {
+        ExprKind::Transpose(inner) => *inner,
+        _ => Expr::new(ExprKind::Transpose(Box::new(expr)), span),
+    }
+}
+
+/// The transpose of a product: its matrices transposed in the other order.
+fn transposed_product(expr: &Expr) -> Option<Expr> {
+    let ExprKind::Product(items) = &expr.kind else {
+        return None;
+    };
+    let (matrices, mut items): (Vec<Expr>, Vec<Expr>) =
+        items.iter().cloned().partition(may_be_matrix);
+    if matrices.is_empty() {
+        return None;
+    }
+    items.extend(matrices.into_iter().rev().map(transposed));
+    Some(product(items, expr.span))
+}
+
+/// A matrix of the equation as a factor of a monomial, in front of a matrix or behind all.
+fn with_matrices(site: &Site<'_>, matrices: &[Expr], found: &mut Vec<Replacement>) {
+    let container = matches!(
+        site.expr.kind,
+        ExprKind::Underbrace { .. } | ExprKind::Matrix { .. } | ExprKind::Constant
+    );
+    let mut among = false;
+    visit(site.parent.unwrap_or(site.expr), &mut |e| {
+        among |= matches!(e.kind, ExprKind::Name(_)) && may_be_matrix(e);
+    });
+    if container || !among || !site.is_monomial() {
+        return;
+    }
+    let items = factors(site.expr);
+    for place in 0..=items.len() {
+        if items.get(place).is_some_and(|item| !may_be_matrix(item)) {
+            continue;
+        }
+        for (k, matrix) in matrices.iter().enumerate() {
+            let mut matrix = matrix.clone();
+            matrix.span = site.expr.span;
+            let mut more = items.clone();
+            more.insert(place, matrix);
+            let rare = 2 + 2 * u32::from(2 * k >= matrices.len());
+            found.push(edit(site, product(more, site.expr.span)).rarer(rare));
+        }
+    }
+}
+
 /// The terms of the equation: those of its sums, then its letters and their products.
 fn pool(scene: &Scene<'_>) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
@@ -148,6 +233,19 @@ fn pool(scene: &Scene<'_>) -> Vec<Expr> {
             add(site.expr);
         }
     }
+    // What stands beside its transpose in an equation that is symmetric.
+    for term in found.clone() {
+        if let Some(other) = transposed_product(&term)
+            && !found.contains(&other)
+        {
+            found.push(other);
+        }
+    }
+    let mut add = |expr: &Expr| {
+        if !found.contains(expr) {
+            found.push(expr.clone());
+        }
+    };
     for letter in letters(scene) {
         add(&letter);
     }

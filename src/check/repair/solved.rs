@@ -92,7 +92,8 @@ impl Trial<'_, '_> {
                     let proposals = table.proposals(site.expr, printed, *needed);
                     for (class, cost, to) in proposals {
                         let term = class == EditClass::Term && matches!(to.1, Added::Term);
-                        if term && !site.takes_terms() || !term && site.is_count() {
+                        let whole = class == EditClass::Letter && site.parent.is_none();
+                        if whole || term && !site.takes_terms() || !term && site.is_count() {
                             continue;
                         }
                         let replacement = Replacement {
@@ -274,6 +275,15 @@ impl Table {
                 found.push((EditClass::Factor, cost, (to, Added::Factor)));
             }
             return found;
+        }
+        // A letter where a number belongs; small ones are among the edits.
+        if let ExprKind::Name(_) = expr.kind
+            && let Some(monomial) = self.monomial(needed)
+            && monomial.is_number()
+        {
+            let to = rational(monomial.number, expr.span);
+            let cost = cost_of(EditClass::Letter) + 3 * PER_SIZE;
+            found.push((EditClass::Letter, cost, (to, Added::Factor)));
         }
         if let Some(ratio) = field.divide(&needed, &printed)
             && let Some(monomial) = self.monomial(ratio)
