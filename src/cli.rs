@@ -13,7 +13,7 @@ use crate::report::mutation as mutation_report;
 use crate::report::output::{self, Pdf};
 use crate::report::terminal::{self, Style};
 use crate::report::{errata, explain, json};
-use crate::stack::with_deep_stack;
+use crate::stack::{in_parallel, with_deep_stack};
 use crate::standing::exit_code;
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, IsTerminal, Write};
@@ -188,20 +188,21 @@ fn audits(
     options: Options,
     watch: &Terminal,
 ) -> io::Result<(Vec<Audit>, usize)> {
-    let mut audits = Vec::new();
-    let mut rejections = Vec::new();
     let documents = input::read(paths);
     watch.begin("checking", documents.len());
-    for document in documents {
-        if watch.stop() {
-            break;
-        }
-        let audit = document.and_then(|d| Audit::of(&d, options));
+    let found = in_parallel(documents, |document| {
+        let begun = !watch.stop();
+        let audit = begun.then(|| document.and_then(|d| Audit::of(&d, options)));
+        watch.advance();
+        audit
+    });
+    let mut audits = Vec::new();
+    let mut rejections = Vec::new();
+    for audit in found.into_iter().flatten() {
         match audit {
             Ok(audit) => audits.push(audit),
             Err(rejection) => rejections.push(rejection),
         }
-        watch.advance();
     }
     watch.end();
     for rejection in &rejections {

@@ -4,24 +4,28 @@
 //! was mended) and never sees the exact engine; the exact value is computed at the doubles
 //! themselves, so that an error is known and not estimated. The two meet here and nowhere else.
 
+mod exact;
+
 use crate::audit::Audit;
 use crate::check;
 use crate::domain::Symbolic;
 use crate::evaluate;
-use crate::expr::{Display, Expr};
+use crate::expr::Display;
 use crate::latex::{self, Signature};
-use crate::model::{Letter, Model, Role};
+use crate::model::{Model, Role};
 use crate::numeric::LyapunovMethod;
 use crate::numeric::agreement::Agreement;
 use crate::numeric::evaluate::Evaluator;
 use crate::numeric::point::{NamedPoint, Point};
 use crate::numeric::value::Value;
 use crate::progress::{Unwatched, Watch};
-use crate::stack::with_deep_stack;
+use crate::stack::{in_parallel, with_deep_stack};
 use crate::verdict::Verdict;
+use exact::{AtPoint, Prepared, in_order, number};
+pub(crate) use exact::{abbreviations, exact_point};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
-use ratpoly::RationalFunction;
+use ratpoly::{Polynomial, RationalFunction};
 use std::collections::BTreeMap;
 
 /// Fewer digits than this at the reference point, by every method, are a contradiction and not
@@ -161,32 +165,41 @@ impl Comparison {
             }
         }
         let abbreviations = abbreviations(model, &mut exact);
+        let mut shared = BTreeMap::new();
+        let prepared: Vec<_> = prepared
+            .into_iter()
+            .map(|(expr, value)| Prepared::new(model, expr, &value, &mut shared))
+            .collect();
+        let polynomials = in_order(shared);
         let methods = LyapunovMethod::ALL.to_vec();
-        let mut rows = Vec::new();
-        let mut reached = 0;
         watch.begin(
             &format!("{}: in floating point", model.document.name),
             points.len(),
         );
-        for (p, named) in points.iter().enumerate() {
+        let found = in_parallel(points.iter().enumerate().collect(), |(p, named)| {
             if watch.stop() {
-                break;
+                return None;
             }
-            rows.extend(rows_at(
+            let rows = rows_at(
                 p,
                 named,
                 model,
                 &abbreviations,
                 &corrections,
                 &prepared,
-            ));
-            reached += 1;
+                &polynomials,
+            );
             watch.advance();
-        }
+            Some(rows)
+        });
         watch.end();
+        // An interruption leaves out whatever comes after the first point that was not reached.
+        let found: Vec<_> = found.into_iter().map_while(|rows| rows).collect();
+        let reached = found.len();
         if reached == 0 {
             return None;
         }
+        let rows = found.into_iter().flatten().collect();
         let named = table.points.len();
         let points = points
             .iter()
@@ -264,37 +277,6 @@ impl Comparison {
     }
 }
 
-type Exact = evaluate::Value<RationalFunction>;
-
-/// The exact value of an expression, if it has one and holds no process.
-fn number(exact: &mut evaluate::Evaluator<'_, Symbolic>, expr: &Expr) -> Option<Exact> {
-    let model = exact.model();
-    let value = exact.expression(expr).ok()?;
-    let valued = value.entries().iter().all(|f| {
-        let parts = [f.numerator(), f.denominator()];
-        parts
-            .iter()
-            .flat_map(|p| p.variables_occurring())
-            .all(|l| match &model.letters[l] {
-                Letter::Symbol { symbol, order: 0 } => model.symbols[*symbol].value.is_some(),
-                Letter::Symbol { .. } => false,
-                Letter::Abbreviation { .. } => true,
-                // Its value is enclosed; whether it has one, is seen at the point.
-                Letter::Function { .. } => model.functions.as_ref().is_some_and(|table| {
-                    let behind = table.letters_behind(&RationalFunction::variable(model.ring, l));
-                    behind.iter().all(|b| match &model.letters[*b] {
-                        Letter::Symbol { symbol, order: 0 } => {
-                            model.symbols[*symbol].value.is_some()
-                        }
-                        Letter::Symbol { .. } => false,
-                        Letter::Abbreviation { .. } | Letter::Function { .. } => true,
-                    })
-                }),
-            })
-    });
-    valued.then_some(value)
-}
-
 /// The corrected displays in the place of the printed ones.
 pub(crate) fn corrections(exact: &evaluate::Evaluator<'_, Symbolic>) -> BTreeMap<usize, Display> {
     exact
@@ -303,54 +285,17 @@ pub(crate) fn corrections(exact: &evaluate::Evaluator<'_, Symbolic>) -> BTreeMap
         .collect()
 }
 
-/// A value for each letter of the ring at a point.
-pub(crate) fn exact_point(
-    model: &Model,
-    point: &Point<'_>,
-    abbreviations: &[(usize, RationalFunction)],
-) -> Vec<BigRational> {
-    let values = point.exact();
-    let letters = model.letters.iter().map(|letter| match letter {
-        Letter::Symbol { symbol, order: 0 } => values[*symbol].clone().unwrap_or_default(),
-        _ => BigRational::zero(),
-    });
-    let mut point: Vec<BigRational> = letters.collect();
-    for (letter, value) in abbreviations {
-        if let Ok(value) = value.evaluate(&point) {
-            point[*letter] = value;
-        }
-    }
-    point
-}
-
-/// The abbreviations' values in the declared symbols.
-pub(crate) fn abbreviations(
-    model: &Model,
-    exact: &mut evaluate::Evaluator<'_, Symbolic>,
-) -> Vec<(usize, RationalFunction)> {
-    exact.keep_abbreviations = false;
-    let mut found = Vec::new();
-    for (letter, kind) in model.letters.iter().enumerate() {
-        if let Letter::Abbreviation { definition } = kind {
-            let key = (crate::model::Node::Definition(*definition), Vec::new(), 0);
-            if let Ok(evaluate::Value::Scalar(value)) = exact.value_of(key, Default::default()) {
-                found.push((letter, value));
-            }
-        }
-    }
-    exact.keep_abbreviations = true;
-    found
-}
-
 fn rows_at(
     p: usize,
     named: &NamedPoint<'_>,
     model: &Model,
     abbreviations: &[(usize, RationalFunction)],
     corrections: &BTreeMap<usize, Display>,
-    prepared: &[(Expr, Exact)],
+    prepared: &[Prepared],
+    polynomials: &[Polynomial],
 ) -> Vec<Row> {
     let point = exact_point(model, &named.point, abbreviations);
+    let mut values = AtPoint::new(model, point, polynomials);
     let mut resolver = named.point.clone();
     for (equation, display) in corrections {
         resolver = resolver.corrected(*equation, display.clone());
@@ -360,12 +305,8 @@ fn rows_at(
         .map(|method| Evaluator::new(&resolver, *method))
         .collect();
     let mut rows = Vec::new();
-    for (subject, (expr, exact)) in prepared.iter().enumerate() {
-        let rational = exact.try_map(|f| match rational_at(model, f, &point) {
-            Some(value) => Ok((value, true)),
-            None => enclosed_at(model, f, &point).map(|v| (v, false)).ok_or(()),
-        });
-        let Ok(found) = rational else {
+    for (subject, Prepared { expr, exact }) in prepared.iter().enumerate() {
+        let Ok(found) = exact.try_map(|element| values.value(element).ok_or(())) else {
             continue;
         };
         let is_exact = found.entries().iter().all(|(_, exact)| *exact);
@@ -392,28 +333,6 @@ fn rows_at(
         });
     }
     rows
-}
-
-/// The value at a point of an element in which no function occurs.
-fn rational_at(model: &Model, f: &RationalFunction, point: &[BigRational]) -> Option<BigRational> {
-    let mut letters = f.numerator().variables_occurring();
-    letters.extend(f.denominator().variables_occurring());
-    let functions = |l: &usize| matches!(model.letters[*l], Letter::Function { .. });
-    (!letters.iter().any(functions)).then(|| f.evaluate(point).ok())?
-}
-
-/// The value of an element with functions, to more digits than any double has.
-fn enclosed_at(model: &Model, f: &RationalFunction, point: &[BigRational]) -> Option<BigRational> {
-    let table = model.functions.as_ref()?;
-    let known: Vec<Option<BigRational>> = point
-        .iter()
-        .enumerate()
-        .map(|(l, value)| match model.letters[l] {
-            Letter::Function { .. } => None,
-            _ => Some(value.clone()),
-        })
-        .collect();
-    Some(table.enclosure(f, &known)?.middle())
 }
 
 /// The fewest digits among the entries. The error of an entry whose exact value is zero is taken

@@ -2,6 +2,7 @@
 
 use crate::budget::Budget;
 use crate::error::Error;
+use crate::lowest_terms::reduced;
 use crate::polynomial::Polynomial;
 use crate::powers::Powers;
 use num_bigint::BigInt;
@@ -21,46 +22,73 @@ impl Polynomial {
         point: &[BigRational],
         budget: &Budget,
     ) -> Result<BigRational, Error> {
+        let (numerator, denominator) = self.fraction_at(point, budget)?;
+        Ok(reduced(numerator, denominator))
+    }
+
+    /// The value at a rational point as a quotient of integers, not in lowest terms; the denominator is
+    /// positive.
+    pub(crate) fn fraction_at(
+        &self,
+        point: &[BigRational],
+        budget: &Budget,
+    ) -> Result<(BigInt, BigInt), Error> {
         self.check_point(point.len())?;
         // On a common denominator d_i in each variable the sum stays within the integers.
-        let degrees = self.degrees();
-        let mut tables = Vec::with_capacity(point.len());
+        let variables = self.variables_occurring();
+        let exponents = self.exponents_of(&variables);
         let mut denominator = BigInt::one();
-        for ((x, &d), up) in point.iter().zip(&degrees).zip(self.exponents_occurring()) {
-            let down = up.iter().map(|e| d - e).chain([d]).collect();
-            let bottom = powers(x.denom(), &down, budget)?;
-            denominator *= bottom.get(d);
-            tables.push((powers(x.numer(), &up, budget)?, bottom));
-        }
-        let mut sum = BigInt::zero();
-        self.for_each_term(|exponents, c| {
-            let mut value = c.to_big();
-            for ((&e, &d), (top, bottom)) in exponents.iter().zip(&degrees).zip(&tables) {
-                value = value * top.get(e) * bottom.get(d - e);
+        let mut tables = Vec::with_capacity(variables.len());
+        for (&i, occurring) in variables.iter().zip(&exponents) {
+            let (x, degree) = (&point[i], occurring.last().copied().unwrap_or(0));
+            let mut table = powers(x.numer(), occurring, budget)?;
+            if !x.denom().is_one() {
+                let down = occurring.iter().map(|e| degree - e).chain([degree]);
+                let bottom = powers(x.denom(), &down.collect(), budget)?;
+                table.scale(|e| bottom.get(degree - e));
+                denominator *= bottom.get(degree);
             }
-            sum += value;
+            tables.push(table);
+        }
+        Ok((self.nested_sum(&variables, &tables), denominator))
+    }
+
+    /// The sum of the terms with tabulated powers of the variables that occur. What neighbouring terms
+    /// have in common is multiplied once, as in Horner's rule.
+    fn nested_sum(&self, variables: &[usize], tables: &[Powers<BigInt>]) -> BigInt {
+        // sums[k] adds up terms that agree in the first k variables, without the powers of these.
+        let mut sums = vec![BigInt::zero(); variables.len() + 1];
+        let mut current = vec![0; variables.len()];
+        let fold = |sums: &mut Vec<BigInt>, current: &[u32], agreeing: usize| {
+            for k in (agreeing..current.len()).rev() {
+                let inner = std::mem::take(&mut sums[k + 1]);
+                if !inner.is_zero() {
+                    sums[k] += inner * tables[k].get(current[k]);
+                }
+            }
+        };
+        self.for_each_term(|exponents, c| {
+            let next = variables.iter().map(|&i| exponents[i]);
+            let agreeing = next.zip(&current).take_while(|(a, b)| a == *b).count();
+            fold(&mut sums, &current, agreeing);
+            for (e, &i) in current.iter_mut().zip(variables).skip(agreeing) {
+                *e = exponents[i];
+            }
+            sums[variables.len()] += c.to_big();
         });
-        Ok(BigRational::new(sum, denominator))
+        fold(&mut sums, &current, 0);
+        std::mem::take(&mut sums[0])
     }
 
     /// The value at an integer point.
     pub fn evaluate_integers(&self, point: &[BigInt]) -> Result<BigInt, Error> {
         self.check_point(point.len())?;
-        let mut tables = Vec::with_capacity(point.len());
-        for (x, exponents) in point.iter().zip(self.exponents_occurring()) {
-            tables.push(powers(x, &exponents, &Budget::unlimited())?);
+        let variables = self.variables_occurring();
+        let mut tables = Vec::with_capacity(variables.len());
+        for (&i, occurring) in variables.iter().zip(self.exponents_of(&variables)) {
+            tables.push(powers(&point[i], &occurring, &Budget::unlimited())?);
         }
-        let mut sum = BigInt::zero();
-        self.for_each_term(|exponents, c| {
-            let mut value = c.to_big();
-            for (&e, table) in exponents.iter().zip(&tables) {
-                if e > 0 {
-                    value *= table.get(e);
-                }
-            }
-            sum += value;
-        });
-        Ok(sum)
+        Ok(self.nested_sum(&variables, &tables))
     }
 
     /// The value modulo `modulus` at a point of residues.
@@ -86,6 +114,17 @@ impl Polynomial {
             sum = ((u128::from(sum) + u128::from(value)) % u128::from(modulus)) as u64;
         });
         Ok(sum)
+    }
+
+    /// The exponents with which each of these variables occurs.
+    fn exponents_of(&self, variables: &[usize]) -> Vec<BTreeSet<u32>> {
+        let mut sets = vec![BTreeSet::new(); variables.len()];
+        self.for_each_term(|exponents, _| {
+            for (set, &i) in sets.iter_mut().zip(variables) {
+                set.insert(exponents[i]);
+            }
+        });
+        sets
     }
 
     fn check_point(&self, found: usize) -> Result<(), Error> {

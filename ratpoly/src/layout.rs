@@ -121,4 +121,36 @@ impl Layout {
             }
         }
     }
+
+    /// Writes the exponents for fields given in their order.
+    pub fn exponents_from(&self, fields: impl Iterator<Item = u64>, exponents: &mut [u32]) {
+        match self.order {
+            Order::Lex => {
+                for (e, field) in exponents.iter_mut().zip(fields) {
+                    *e = field as u32;
+                }
+            }
+            Order::Grlex => {
+                let Some((last, others)) = exponents.split_last_mut() else {
+                    return;
+                };
+                let mut fields = fields;
+                let mut rest = fields.next().unwrap_or(0);
+                for (e, field) in others.iter_mut().zip(fields) {
+                    *e = field as u32;
+                    rest -= field;
+                }
+                *last = rest as u32;
+            }
+            Order::Grevlex => {
+                let mut fields = fields;
+                let mut above = fields.next().unwrap_or(0);
+                for e in exponents.iter_mut().rev() {
+                    let field = fields.next().unwrap_or(0);
+                    *e = (above - field) as u32;
+                    above = field;
+                }
+            }
+        }
+    }
 }

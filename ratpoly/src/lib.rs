@@ -118,6 +118,7 @@ mod integer_gcd;
 mod karatsuba;
 mod layout;
 mod limbs;
+mod lowest_terms;
 mod matrix;
 pub mod modular;
 mod monomial;
@@ -151,6 +152,7 @@ pub use factor::Factorization;
 pub use gcd::{Cofactors, gcd, gcd_cofactors, gcd_cofactors_within, gcd_of, gcd_within, lcm};
 pub use groebner::{GroebnerBasis, NormalForm, normal_form};
 pub use ideal::Ideal;
+pub use lowest_terms::quotient;
 pub use matrix::{
     DeterminantMethod, FaddeevLeVerrier, Matrix, hurwitz_cofactors, hurwitz_determinants,
     hurwitz_matrix, toeplitz_matrix,

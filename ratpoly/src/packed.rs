@@ -56,11 +56,7 @@ pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'sta
     }
 
     /// Writes the exponents.
-    fn unpack(&self, layout: &Layout, exponents: &mut [u32]) {
-        for (variable, e) in exponents.iter_mut().enumerate() {
-            *e = self.exponent(layout, variable);
-        }
-    }
+    fn unpack(&self, layout: &Layout, exponents: &mut [u32]);
 
     /// Whether this is the empty product.
     fn is_one(&self) -> bool {
@@ -128,6 +124,15 @@ macro_rules! packed {
             fn field(&self, layout: &Layout, field: usize) -> u64 {
                 let (word, shift) = layout.place(field);
                 self.0[word] >> shift & layout.limit()
+            }
+
+            #[inline]
+            fn unpack(&self, layout: &Layout, exponents: &mut [u32]) {
+                let (bits, limit) = (layout.bits as usize, layout.limit());
+                let fields = self.0.iter().flat_map(|word| {
+                    (1..=layout.per_word).map(move |k| word >> (64 - bits * k) & limit)
+                });
+                layout.exponents_from(fields.take(layout.fields), exponents);
             }
 
             #[inline]
@@ -222,6 +227,10 @@ impl PackedMonomial for Wide {
 
     fn field(&self, _: &Layout, field: usize) -> u64 {
         self.0[field]
+    }
+
+    fn unpack(&self, layout: &Layout, exponents: &mut [u32]) {
+        layout.exponents_from(self.0.iter().copied(), exponents);
     }
 
     fn product(&self, other: &Self) -> Self {

@@ -37,6 +37,16 @@ impl<T> Powers<T> {
         })
     }
 
+    /// Multiplies each power by a factor.
+    pub fn scale<'a>(&mut self, factor: impl Fn(u32) -> &'a T)
+    where
+        T: for<'b> std::ops::MulAssign<&'b T> + 'a,
+    {
+        for (value, &e) in self.values.iter_mut().zip(&self.exponents) {
+            *value *= factor(e);
+        }
+    }
+
     /// A power that is in the table.
     pub fn get(&self, exponent: u32) -> &T {
         let place = self.exponents.binary_search(&exponent);

@@ -7,10 +7,14 @@
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::gcd::{Cofactors, gcd, gcd_cofactors_within};
+use crate::lowest_terms::reduced;
 use crate::polynomial::Polynomial;
+use crate::powers::Powers;
 use crate::ring::Ring;
+use crate::substitute::occurring;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A rational function over the rationals, canonical by construction: equality is structural.
@@ -227,23 +231,44 @@ impl RationalFunction {
     /// The value at a rational point, one coordinate for each variable; [`Error::DivisionByZero`] at a
     /// zero of the reduced denominator.
     pub fn evaluate(&self, point: &[BigRational]) -> Result<BigRational, Error> {
-        let denominator = self.denominator.evaluate(point)?;
-        if denominator.is_zero() {
+        let (c, d) = self.denominator.fraction_at(point, &UNLIMITED)?;
+        if c.is_zero() {
             return Err(Error::DivisionByZero);
         }
-        Ok(self.numerator.evaluate(point)? / denominator)
+        let (a, b) = self.numerator.fraction_at(point, &UNLIMITED)?;
+        let (top, bottom) = (a * d, b * c);
+        Ok(match bottom.is_negative() {
+            true => reduced(-top, -bottom),
+            false => reduced(top, bottom),
+        })
     }
 
     /// Replaces some variables, all at once, by rational functions of the same ring;
     /// [`Error::DivisionByZero`] if the reduced denominator vanishes identically.
     pub fn substitute(&self, images: &[(usize, RationalFunction)]) -> Result<Self, Error> {
-        let ring = self.ring();
-        let mut all: Vec<Self> = (0..ring.len()).map(|i| Self::variable(ring, i)).collect();
-        for (variable, image) in images {
-            *all.get_mut(*variable)
-                .ok_or(Error::VariableOutOfRange(*variable))? = image.clone();
+        if images.iter().any(|(_, image)| image.ring() != self.ring()) {
+            return Err(Error::RingMismatch);
         }
-        self.compose(ring, &all)
+        let above = occurring(&self.numerator, images)?;
+        let below = occurring(&self.denominator, images)?;
+        if above.is_empty() && below.is_empty() {
+            return Ok(self.clone());
+        }
+        let mut top = self.numerator.homogenised(&above)?;
+        let mut bottom = self.denominator.homogenised(&below)?;
+        // Each lacks the power of an image's denominator that its degree says; what both lack cancels.
+        let images: BTreeMap<_, _> = above.into_iter().chain(below).collect();
+        for (variable, image) in images {
+            let degree = |f: &Polynomial| f.degree(variable).unwrap_or(0);
+            let (m, n) = (degree(&self.numerator), degree(&self.denominator));
+            let power = image.denominator.try_pow(m.abs_diff(n))?;
+            if m > n {
+                bottom = bottom.try_mul(&power)?;
+            } else {
+                top = top.try_mul(&power)?;
+            }
+        }
+        Self::new(top, bottom)
     }
 
     /// The value at rational functions of a ring, one for each variable of `self`.
@@ -284,6 +309,40 @@ impl RationalFunction {
 }
 
 impl Polynomial {
+    /// The sum of `c * product n_i^e_i d_i^(deg_i - e_i)` for the images `n_i / d_i` of some variables.
+    fn homogenised(
+        &self,
+        images: &BTreeMap<usize, &RationalFunction>,
+    ) -> Result<Polynomial, Error> {
+        let variables: Vec<usize> = images.keys().copied().collect();
+        let groups = self.coefficients_in_all(&variables);
+        let mut tables = Vec::with_capacity(images.len());
+        for (k, (&i, image)) in images.iter().enumerate() {
+            let degree = self.degree(i).unwrap_or(0);
+            let table = |base: &Polynomial, exponents: BTreeSet<u32>| {
+                Powers::new(&exponents, |e| base.try_pow(e), |a, b| a.try_mul(b))
+            };
+            let up = groups.iter().map(|(e, _)| e[k]);
+            let down = groups.iter().map(|(e, _)| degree - e[k]);
+            tables.push((
+                degree,
+                table(&image.numerator, up.collect())?,
+                table(&image.denominator, down.collect())?,
+            ));
+        }
+        let summands = groups.into_iter().map(|(exponents, mut value)| {
+            for (&e, (degree, top, bottom)) in exponents.iter().zip(&tables) {
+                for factor in [top.get(e), bottom.get(degree - e)] {
+                    if !factor.is_one() {
+                        value = value.try_mul(factor)?;
+                    }
+                }
+            }
+            Ok(value)
+        });
+        Polynomial::sum(self.ring(), summands)
+    }
+
     /// The value at rational functions of a ring, one for each variable of `self`.
     pub fn compose_rational(
         &self,

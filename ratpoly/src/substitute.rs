@@ -5,6 +5,26 @@ use crate::error::Error;
 use crate::polynomial::Polynomial;
 use crate::powers::Powers;
 use crate::ring::Ring;
+use std::collections::BTreeMap;
+
+/// The images of those variables that occur; of two images of one variable the later.
+pub(crate) fn occurring<'a, T>(
+    f: &Polynomial,
+    images: &'a [(usize, T)],
+) -> Result<BTreeMap<usize, &'a T>, Error> {
+    let degrees = f.degrees();
+    let mut found = BTreeMap::new();
+    for (variable, image) in images {
+        match degrees.get(*variable) {
+            None => return Err(Error::VariableOutOfRange(*variable)),
+            Some(0) => {}
+            Some(_) => {
+                found.insert(*variable, image);
+            }
+        }
+    }
+    Ok(found)
+}
 
 impl Polynomial {
     /// Replaces some variables, all at once, by polynomials of the same ring.
@@ -19,14 +39,35 @@ impl Polynomial {
         budget: &Budget,
     ) -> Result<Polynomial, Error> {
         let ring = self.ring();
-        let mut all: Vec<Polynomial> = (0..ring.len())
-            .map(|i| Polynomial::variable(ring, i))
-            .collect();
-        for (variable, image) in images {
-            *all.get_mut(*variable)
-                .ok_or(Error::VariableOutOfRange(*variable))? = image.clone();
+        if images.iter().any(|(_, image)| image.ring() != ring) {
+            return Err(Error::RingMismatch);
         }
-        self.compose_within(ring, &all, budget)
+        let images = occurring(self, images)?;
+        if images.is_empty() {
+            return Ok(self.clone());
+        }
+        let variables: Vec<usize> = images.keys().copied().collect();
+        let groups = self.coefficients_in_all(&variables);
+        let mut tables = Vec::with_capacity(images.len());
+        for (k, image) in images.values().enumerate() {
+            tables.push(Powers::new(
+                &groups.iter().map(|(exponents, _)| exponents[k]).collect(),
+                |e| image.pow_within(e, budget),
+                |a, b| a.mul_within(b, budget),
+            )?);
+        }
+        let summands = groups.into_iter().map(|(exponents, mut value)| {
+            for (&e, table) in exponents.iter().zip(&tables) {
+                if e > 0 {
+                    value = value.mul_within(table.get(e), budget)?;
+                }
+            }
+            budget.spend(value.len() as u64)?;
+            Ok(value)
+        });
+        let sum = Polynomial::sum(ring, summands)?;
+        budget.check_terms(sum.len())?;
+        Ok(sum)
     }
 
     /// The value at polynomials of a ring, one for each variable of `self`.

@@ -277,9 +277,11 @@ impl<M: PackedMonomial> TermList<M> {
     /// For each variable its greatest exponent.
     pub fn degrees(&self, layout: &Layout) -> Vec<u32> {
         let mut degrees = vec![0; layout.variables];
+        let mut exponents = vec![0; layout.variables];
         self.for_each(|m, _| {
-            for (variable, d) in degrees.iter_mut().enumerate() {
-                *d = (*d).max(m.exponent(layout, variable));
+            m.unpack(layout, &mut exponents);
+            for (d, &e) in degrees.iter_mut().zip(&exponents) {
+                *d = (*d).max(e);
             }
         });
         degrees

@@ -4,9 +4,9 @@
 //! itself an exact rational; only its logarithm is rounded. The exact value is never rounded to
 //! a double first: that would hide up to one unit in the last place.
 
-use num_bigint::{BigInt, BigUint};
+use num_bigint::BigUint;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 /// The digits of a double, `53 log10 2` rounded down to two places: more are never claimed.
 pub const MOST_DIGITS: f64 = 15.95;
@@ -37,7 +37,7 @@ impl Agreement {
                 Agreement::NotZero(computed)
             };
         }
-        Agreement::Digits(digits(&((value - exact) / exact)))
+        Agreement::Digits(digits(&value, exact, exact))
     }
 
     /// Compares `computed` with `exact` by the error relative to `scale`, which is not zero: an entry
@@ -49,7 +49,7 @@ impl Agreement {
         if scale.is_zero() {
             return Agreement::of(computed, exact);
         }
-        Agreement::Digits(digits(&((value - exact) / scale)))
+        Agreement::Digits(digits(&value, exact, scale))
     }
 
     /// The number of correct digits: all for two zeros, none where no digit can be right.
@@ -62,26 +62,24 @@ impl Agreement {
     }
 }
 
-/// `-log10 |relative error|`, at least 0 and at most [`MOST_DIGITS`].
-fn digits(relative_error: &BigRational) -> f64 {
-    if relative_error.is_zero() {
+/// `-log10 |(value - exact) / scale|`, at least 0 and at most [`MOST_DIGITS`].
+fn digits(value: &BigRational, exact: &BigRational, scale: &BigRational) -> f64 {
+    // The quotient's logarithm needs no lowest terms.
+    let error = value.numer() * exact.denom() - exact.numer() * value.denom();
+    if error.is_zero() {
         return MOST_DIGITS;
     }
-    (-log10(&relative_error.abs())).clamp(0.0, MOST_DIGITS)
+    let top = error * scale.denom();
+    let bottom = value.denom() * exact.denom() * scale.numer();
+    let lost = log10(top.magnitude()) - log10(bottom.magnitude());
+    (-lost).clamp(0.0, MOST_DIGITS)
 }
 
-/// `log10` of a positive rational of any size, to about 15 places.
-fn log10(x: &BigRational) -> f64 {
-    let (numerator, denominator) = (x.numer().magnitude(), x.denom().magnitude());
-    let shift = numerator.bits() as i64 - denominator.bits() as i64;
-    // x = 2^shift * y with 1/2 < y < 2
-    let scaled = |n: &BigUint, by: i64| if by > 0 { n << by } else { n.clone() };
-    let y = BigRational::new(
-        BigInt::from(scaled(numerator, -shift)),
-        BigInt::from(scaled(denominator, shift)),
-    );
-    let y = nearest(&y).unwrap_or(1.0);
-    libm::log10(y) + shift as f64 * std::f64::consts::LOG10_2
+/// `log10` of a positive integer of any size, to about 15 digits.
+fn log10(n: &BigUint) -> f64 {
+    let shift = n.bits().saturating_sub(64);
+    let leading = (n >> shift).to_f64().unwrap_or(1.0);
+    libm::log10(leading) + shift as f64 * std::f64::consts::LOG10_2
 }
 
 /// The double nearest to a rational (ties to even); none on overflow.

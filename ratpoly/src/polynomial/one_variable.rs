@@ -111,6 +111,22 @@ impl Polynomial {
         Ok(self.coefficients_in(variable))
     }
 
+    /// The coefficients that are not zero as a polynomial in some variables, with the exponents of these.
+    pub(crate) fn coefficients_in_all(&self, variables: &[usize]) -> Vec<(Vec<u32>, Polynomial)> {
+        each_layout!(&self.terms, list => {
+            let layout = layout_of(list, self.ring);
+            let mut lists: BTreeMap<Vec<u32>, TermList<_>> = BTreeMap::new();
+            let mut exponents = vec![0; self.ring.len()];
+            list.for_each(|m, c| {
+                m.unpack(layout, &mut exponents);
+                let taken = variables.iter().map(|&i| std::mem::take(&mut exponents[i]));
+                let list = lists.entry(taken.collect()).or_insert_with(TermList::new);
+                list.push(packed_like(m, layout, &exponents), c.to_scalar());
+            });
+            lists.into_iter().map(|(key, list)| (key, self.with(list))).collect()
+        })
+    }
+
     /// The coefficients that are not zero as a polynomial in one variable, by ascending powers. Unlike a
     /// dense list these are never more than the terms.
     pub(crate) fn nonzero_coefficients_in(&self, variable: usize) -> Vec<Polynomial> {

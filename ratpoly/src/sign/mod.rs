@@ -222,13 +222,21 @@ fn sign_across_zero(
         match sum.union(sign.clone()) {
             Some(union) => sum = union,
             None => {
-                // Both halves are open, so each sign is taken inside one of them.
-                let find = |wanted: std::cmp::Ordering| {
-                    parts.iter().find_map(|(_, part)| {
-                        samples::in_region(f, part, budget).find(|(_, sign)| *sign == wanted)
-                    })
-                };
+                // Both halves are open, so each sign is taken inside one of them; which may have it, is known.
                 use std::cmp::Ordering::{Greater, Less};
+                let find = |wanted: std::cmp::Ordering| {
+                    let able = |sign: &RegionSign| match sign {
+                        RegionSign::Positive | RegionSign::NonNegative => wanted == Greater,
+                        RegionSign::Negative | RegionSign::NonPositive => wanted == Less,
+                        _ => false,
+                    };
+                    parts
+                        .iter()
+                        .filter(|(sign, _)| able(sign))
+                        .find_map(|(_, part)| {
+                            samples::in_region(f, part, budget).find(|(_, sign)| *sign == wanted)
+                        })
+                };
                 return Ok(match (find(Greater), find(Less)) {
                     (Some((positive, _)), Some((negative, _))) => {
                         RegionSign::Changes { positive, negative }
