@@ -17,14 +17,15 @@ mod elementary;
 pub mod enclosure;
 pub mod integral;
 pub mod quadratic;
+mod sign;
 
 pub use calculus::ChainStep;
 
 use crate::expr::Function;
 use integral::End;
-use num_traits::Signed;
 use quadratic::Quadratic;
-use ratpoly::{Budget, Polynomial, RationalFunction, Region, RegionSign, Ring, sign_on};
+use ratpoly::{Polynomial, RationalFunction, Ring};
+use sign::KnownSigns;
 use std::cmp::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -151,6 +152,7 @@ pub struct FunctionTable {
 struct Given {
     letters: Vec<FunctionLetter>,
     quadratics: Arc<Vec<Quadratic>>,
+    signs: KnownSigns,
 }
 
 impl FunctionTable {
@@ -181,6 +183,7 @@ impl FunctionTable {
         let forked = Given {
             letters: given.letters.clone(),
             quadratics: Arc::clone(&given.quadratics),
+            signs: KnownSigns::default(),
         };
         FunctionTable {
             given: Arc::new(Mutex::new(forked)),
@@ -249,6 +252,7 @@ impl FunctionTable {
         let mut given = self.lock();
         given.letters.truncate(count);
         let end = self.first + count;
+        given.signs.take_back(end);
         if given.quadratics.iter().any(|q| q.letter >= end) {
             let kept = given.quadratics.iter().filter(|q| q.letter < end);
             given.quadratics = Arc::new(kept.cloned().collect());
@@ -318,60 +322,6 @@ impl FunctionTable {
             self.meaning(letter),
             Some(FunctionLetter::ImaginaryUnit | FunctionLetter::Dirac(_))
         )
-    }
-
-    /// The sign of an element wherever the positive letters are positive, if it has one: never
-    /// `Equal` but for zero itself.
-    pub fn sign(&self, f: &RationalFunction) -> Option<Ordering> {
-        let numerator = self.sign_of_polynomial(f.numerator())?;
-        Some(match self.sign_of_polynomial(f.denominator())? {
-            Ordering::Less => numerator.reverse(),
-            _ => numerator,
-        })
-    }
-
-    fn sign_of_polynomial(&self, p: &Polynomial) -> Option<Ordering> {
-        if p.is_zero() {
-            return Some(Ordering::Equal);
-        }
-        let occurring = p.variables_occurring();
-        if !occurring.iter().all(|l| self.is_real_letter(*l)) {
-            return None;
-        }
-        let mut signs = p.terms().map(|(_, c)| c.is_positive());
-        let first = signs.next()?;
-        if signs.all(|s| s == first) && occurring.iter().all(|l| self.is_positive_letter(*l)) {
-            return Some(if first {
-                Ordering::Greater
-            } else {
-                Ordering::Less
-            });
-        }
-        let zero = ratpoly::Bound::Finite(num_rational::BigRational::from_integer(0.into()));
-        let line = (
-            ratpoly::Bound::NegativeInfinity,
-            ratpoly::Bound::PositiveInfinity,
-        );
-        let intervals: Vec<_> = (0..self.ring.len())
-            .map(|l| match occurring.contains(&l) {
-                true if self.is_positive_letter(l) => {
-                    (zero.clone(), ratpoly::Bound::PositiveInfinity)
-                }
-                true => line.clone(),
-                false => (zero.clone(), ratpoly::Bound::PositiveInfinity),
-            })
-            .collect();
-        let region = Region::new(intervals).ok()?;
-        match sign_on(p, &region, &Budget::new(20_000, 4_000, 5_000_000)).ok()? {
-            RegionSign::Positive => Some(Ordering::Greater),
-            RegionSign::Negative => Some(Ordering::Less),
-            _ => None,
-        }
-    }
-
-    /// Whether an element is known to be positive.
-    pub fn is_positive(&self, f: &RationalFunction) -> bool {
-        self.sign(f) == Some(Ordering::Greater)
     }
 }
 

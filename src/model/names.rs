@@ -141,21 +141,25 @@ impl Model {
         if name.dots == 0 && bound(&whole) {
             return Ok(Resolved::Bound(whole));
         }
+        let found = |node: &Node, derivatives| match node {
+            Node::Symbol(symbol) => Resolved::Letter {
+                symbol: *symbol,
+                order: derivatives,
+            },
+            node => Resolved::Node {
+                node: *node,
+                derivatives,
+            },
+        };
+        if let Some(node) = self.names.whole.get(&whole) {
+            return Ok(found(node, 0));
+        }
         // The value of a dotted name may be given for fewer dots and differentiated further.
         let mut fewer = name.clone();
-        for derivatives in 0..=name.dots {
+        for derivatives in 1..=name.dots {
             fewer.dots = name.dots - derivatives;
             if let Some(node) = self.names.whole.get(&latex::canonical(&fewer)) {
-                return Ok(match node {
-                    Node::Symbol(symbol) => Resolved::Letter {
-                        symbol: *symbol,
-                        order: derivatives,
-                    },
-                    node => Resolved::Node {
-                        node: *node,
-                        derivatives,
-                    },
-                });
+                return Ok(found(node, derivatives));
             }
         }
         let key = family_key(name);

@@ -131,6 +131,7 @@ impl Digits {
 mod tests {
     use super::*;
     use approx::assert_abs_diff_eq;
+    use num_traits::Signed;
     use proptest::prelude::*;
 
     fn ratio(numerator: i64, denominator: i64) -> BigRational {
@@ -175,12 +176,12 @@ mod tests {
 
     #[test]
     fn exact_values_far_outside_the_doubles() {
-        let huge = BigRational::from_integer(BigInt::from(7).pow(2000));
+        let integer = BigUint::from(7u8).pow(2000);
+        let huge = BigRational::from_integer(integer.clone().into());
         assert_eq!(nearest(&huge), None);
         assert_eq!(Agreement::of(1.0, &huge), Agreement::Digits(0.0));
         assert_eq!(Agreement::of(1.0, &huge.recip()), Agreement::Digits(0.0));
-        assert_abs_diff_eq!(log10(&huge), 2000.0 * 7f64.log10(), epsilon = 1e-9);
-        assert_abs_diff_eq!(log10(&huge.recip()), -2000.0 * 7f64.log10(), epsilon = 1e-9);
+        assert_abs_diff_eq!(log10(&integer), 2000.0 * 7f64.log10(), epsilon = 1e-9);
     }
 
     #[test]
