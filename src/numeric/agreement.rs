@@ -71,15 +71,17 @@ fn digits(value: &BigRational, exact: &BigRational, scale: &BigRational) -> f64 
     }
     let top = error * scale.denom();
     let bottom = value.denom() * exact.denom() * scale.numer();
-    let lost = log10(top.magnitude()) - log10(bottom.magnitude());
-    (-lost).clamp(0.0, MOST_DIGITS)
+    (-log10(top.magnitude(), bottom.magnitude())).clamp(0.0, MOST_DIGITS)
 }
 
-/// `log10` of a positive integer of any size, to about 15 digits.
-fn log10(n: &BigUint) -> f64 {
-    let shift = n.bits().saturating_sub(64);
-    let leading = (n >> shift).to_f64().unwrap_or(1.0);
-    libm::log10(leading) + shift as f64 * std::f64::consts::LOG10_2
+/// `log10` of a quotient of positive integers of any size, to about 15 digits.
+fn log10(top: &BigUint, bottom: &BigUint) -> f64 {
+    let leading = |n: &BigUint| {
+        let shift = n.bits().saturating_sub(64);
+        ((n >> shift).to_f64().unwrap_or(1.0), shift as i64)
+    };
+    let ((above, up), (below, down)) = (leading(top), leading(bottom));
+    libm::log10(above / below) + (up - down) as f64 * std::f64::consts::LOG10_2
 }
 
 /// The double nearest to a rational (ties to even); none on overflow.
@@ -161,10 +163,8 @@ mod tests {
         assert_eq!(Agreement::of(-0.0, &zero), Agreement::BothZero);
         assert_eq!(Agreement::of(1e-300, &zero), Agreement::NotZero(1e-300));
         assert_eq!(Agreement::of(1e-300, &zero).digits(), 0.0);
-        assert_eq!(
-            Agreement::at_scale(1e-12, &zero, &ratio(1, 1)).digits(),
-            12.0
-        );
+        let scaled = Agreement::at_scale(1e-12, &zero, &ratio(1, 1));
+        assert_abs_diff_eq!(scaled.digits(), 12.0, epsilon = 1e-12);
         assert_eq!(Agreement::of(f64::NAN, &zero), Agreement::NotFinite);
         assert_eq!(
             Agreement::of(f64::INFINITY, &ratio(1, 1)),
@@ -181,7 +181,9 @@ mod tests {
         assert_eq!(nearest(&huge), None);
         assert_eq!(Agreement::of(1.0, &huge), Agreement::Digits(0.0));
         assert_eq!(Agreement::of(1.0, &huge.recip()), Agreement::Digits(0.0));
-        assert_abs_diff_eq!(log10(&integer), 2000.0 * 7f64.log10(), epsilon = 1e-9);
+        let (one, expected) = (BigUint::from(1u8), 2000.0 * 7f64.log10());
+        assert_abs_diff_eq!(log10(&integer, &one), expected, epsilon = 1e-9);
+        assert_abs_diff_eq!(log10(&one, &integer), -expected, epsilon = 1e-9);
     }
 
     #[test]
