@@ -1,7 +1,7 @@
 //! The whole way of a document: read, modelled, checked.
 
-use crate::check::{self, Options};
-use crate::diagnostic::Rejection;
+use crate::check::{self, Options, Verdicts};
+use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
 use crate::document::{Document, VerdictWord};
 use crate::figure::{self, Figure};
 use crate::model::Model;
@@ -72,6 +72,7 @@ impl Audit {
         let reject = |diagnostics| document.reject(diagnostics);
         let model = Model::build(document).map_err(reject)?;
         let verdicts = check::check(&model, options).map_err(reject)?;
+        check_mends(&model, &verdicts).map_err(reject)?;
         let (of_names, units) = unit::audit(&model);
         let figures = figure::figures(&model, &verdicts.links, of_names).map_err(reject)?;
         Ok(Audit {
@@ -132,5 +133,44 @@ impl Audit {
     ) -> impl Iterator<Item = &StatementOutcome> {
         let outcomes = self.statements.iter();
         outcomes.filter(move |o| o.statement == statement)
+    }
+}
+
+/// What a document says is meant instead of something false must be true itself.
+fn check_mends(model: &Model, verdicts: &Verdicts) -> Result<(), Vec<Diagnostic>> {
+    let settings = model.equations.iter().map(|e| &e.settings);
+    let settings = settings.chain(model.statements.iter().map(|s| &s.settings));
+    let mut report = Vec::new();
+    for instead in settings.filter_map(|s| s.instead.as_ref()) {
+        let words: Vec<VerdictWord> = match model.equation(&instead.text) {
+            Some(equation) => {
+                let links = verdicts.links.iter().filter(|o| o.equation == equation);
+                links.map(|o| o.verdict.word()).collect()
+            }
+            None => {
+                let statement = model.statement(&instead.text);
+                let all = verdicts.statements.iter();
+                let of_it = all.filter(|o| Some(o.statement) == statement);
+                of_it.map(|o| o.word).collect()
+            }
+        };
+        let true_ = |word: &VerdictWord| {
+            matches!(
+                word,
+                VerdictWord::Holds | VerdictWord::HoldsGiven | VerdictWord::Definition
+            )
+        };
+        if let Some(word) = words.iter().find(|word| !true_(word)) {
+            let kind = DiagnosticKind::Unexpected {
+                found: format!("`{}`, which is {word}", instead.text),
+                expected: "something that holds".into(),
+            };
+            report.push(Diagnostic::new(kind, instead.span));
+        }
+    }
+    if report.is_empty() {
+        Ok(())
+    } else {
+        Err(report)
     }
 }

@@ -10,6 +10,7 @@ mod markdown;
 mod number;
 mod numeric;
 mod paper;
+mod references;
 mod size;
 mod statement;
 mod symbols;
@@ -29,6 +30,7 @@ pub use symbols::{MatrixShape, Notation, NotationKind, Structure, Symbol};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
 use crate::span::Span;
 use markdown::Fence;
+use num_rational::BigRational;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -74,6 +76,10 @@ pub struct Document {
     pub figures: Vec<Figure>,
     /// The statements in words, in the order of reading.
     pub statements: Vec<Statement>,
+    /// Remarks on what the paper writes without saying what it is, or in two ways.
+    pub remarks: Vec<Text>,
+    /// Where it stands among the documents of its paper; the first number that it covers unless told.
+    pub order: Option<BigRational>,
 }
 
 impl Document {
@@ -147,6 +153,8 @@ impl Document {
             equations: reader.equations,
             figures: reader.figures,
             statements: reader.statements,
+            remarks: reader.remarks,
+            order: reader.order,
         })
     }
 
@@ -171,6 +179,14 @@ impl Document {
     /// The printed figure numbers that the coverage counts, one by one.
     pub fn announced_figures(&self) -> impl Iterator<Item = u32> + '_ {
         self.figure_numbers.iter().cloned().flatten()
+    }
+
+    /// Where it stands among the documents of its paper: as it says, or by the first number that it
+    /// covers; what covers none comes last.
+    pub fn order(&self) -> BigRational {
+        let first = self.announced_numbers().next().unwrap_or(u32::MAX);
+        let own = self.order.clone();
+        own.unwrap_or_else(|| BigRational::from_integer(first.into()))
     }
 
     /// The figure under a label.
@@ -200,6 +216,8 @@ struct Reader<'t> {
     title: Option<Text>,
     source: Option<Text>,
     paper: Option<Paper>,
+    remarks: Vec<Text>,
+    order: Option<BigRational>,
     instance_letters: Vec<(Text, Vec<usize>)>,
     equation_numbers: Vec<RangeInclusive<u32>>,
     figure_numbers: Vec<RangeInclusive<u32>>,
@@ -227,6 +245,8 @@ impl<'t> Reader<'t> {
             title: None,
             source: None,
             paper: None,
+            remarks: Vec::new(),
+            order: None,
             instance_letters: Vec::new(),
             equation_numbers: Vec::new(),
             figure_numbers: Vec::new(),
@@ -332,6 +352,8 @@ impl<'t> Reader<'t> {
                 span: fence.body_span,
             },
             settings: Settings::default(),
+            own: false,
+            alternatives: false,
             meaning: None,
         });
     }
@@ -421,6 +443,8 @@ impl<'t> Reader<'t> {
         let numbers = fields.text("equations");
         let figures = fields.text("figures");
         let paper = fields.take("paper");
+        self.remarks = fields.texts("remarks");
+        self.order = fields.number("order").map(|(order, _)| order);
         let instances = fields.table("instances");
         self.instance_letters = size::instances(instances, fields.report());
         self.equation_numbers = paper::numbers(numbers, fields.report());
@@ -538,6 +562,7 @@ impl<'t> Reader<'t> {
                 }
             }
         }
+        references::check(&self.equations, &self.statements, &mut self.report);
         for equation in &self.equations {
             if equation.role == Role::Recall && equation.settings.reason.is_none() {
                 let kind = DiagnosticKind::MissingReason {

@@ -4,17 +4,22 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
 use crate::document::Document;
 use crate::embedded;
 use crate::span::Span;
+use num_rational::BigRational;
+use num_traits::Zero;
 use std::path::{Path, PathBuf};
 
 /// A document, or why it is none.
 pub type Input = Result<Document, Rejection>;
 
-/// All documents among these files and folders, by name within each folder; without paths the
+/// All documents among these files and folders, by name within each folder, those of one paper in
+/// the order of what they cover; without paths the
 /// documents inside the program. In a folder, Markdown files without a `math` or `toml` fence are
 /// no documents and are passed over; a file that is named itself must be one.
 pub fn read<P: AsRef<Path>>(paths: &[P]) -> Vec<Input> {
     if paths.is_empty() {
-        return embedded::documents();
+        let mut inputs = embedded::documents();
+        in_order_of_papers(&mut inputs);
+        return inputs;
     }
     let mut inputs = Vec::new();
     for path in paths {
@@ -35,7 +40,35 @@ pub fn read<P: AsRef<Path>>(paths: &[P]) -> Vec<Input> {
             inputs.push(Document::read(path));
         }
     }
+    in_order_of_papers(&mut inputs);
     inputs
+}
+
+/// Brings the documents of one paper together, where its first one stands, in the order of what they
+/// cover.
+fn in_order_of_papers(inputs: &mut Vec<Input>) {
+    let mut papers: Vec<String> = Vec::new();
+    let mut keyed: Vec<(usize, BigRational, Input)> = Vec::new();
+    for (k, input) in std::mem::take(inputs).into_iter().enumerate() {
+        let paper = match &input {
+            Ok(document) => document.paper.as_ref().map(|p| p.title.text.clone()),
+            Err(_) => None,
+        };
+        let title = paper.unwrap_or_else(|| format!("\u{0}{k}"));
+        let place = match papers.iter().position(|p| *p == title) {
+            Some(place) => place,
+            None => {
+                papers.push(title);
+                papers.len() - 1
+            }
+        };
+        let order = input
+            .as_ref()
+            .map_or_else(|_| BigRational::zero(), Document::order);
+        keyed.push((place, order, input));
+    }
+    keyed.sort_by(|a, b| (a.0, &a.1).cmp(&(b.0, &b.1)));
+    inputs.extend(keyed.into_iter().map(|(_, _, input)| input));
 }
 
 pub(crate) fn is_document(input: &Input) -> bool {

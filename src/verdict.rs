@@ -417,6 +417,15 @@ impl Certificate {
     }
 }
 
+/// An earlier link of the same equation whose correction changes a side of a later one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct After {
+    /// The number of that link.
+    pub member: usize,
+    /// Whether the later link is true with both of its sides as printed.
+    pub true_as_printed: bool,
+}
+
 /// Everything that was found out about one link.
 #[derive(Clone, Debug)]
 pub struct Outcome {
@@ -432,6 +441,8 @@ pub struct Outcome {
     pub certificate: Certificate,
     /// Why an inequality holds.
     pub positivity: Option<Positivity>,
+    /// Where it is false, an earlier link whose correction changed a side of it.
+    pub after: Option<After>,
     /// The hypotheses printed around the equation that were used, in LaTeX.
     pub assumed: Vec<String>,
     /// The instances of the model for which the verdict is this one: all, or those for which it is

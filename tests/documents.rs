@@ -150,7 +150,10 @@ fn the_conventions_of_the_format_page_are_those_of_the_format() {
 fn the_settings_of_the_format_page_are_those_of_the_format() {
     let lines = blocks(&format_page(), "```", "text").remove(0);
     for line in lines.lines() {
+        // The labels that the lines name.
+        let others = ["label", "44", "58"].map(|l| format!("```math {l} claim\nx = y\n```\n"));
         let text = format!("```math 1 claim\nx = y\n```\n```toml 1\n{line}\n```\n");
+        let text = others.concat() + &text;
         parse(&text);
     }
 }

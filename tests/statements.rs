@@ -6,7 +6,7 @@ use rederive::audit::Audit;
 use rederive::check::Options;
 use rederive::diagnostic::DiagnosticKind;
 use rederive::document::{Document, Predicate, VerdictWord};
-use rederive::verdict::statement::{Fact, Measure, StatementOutcome};
+use rederive::verdict::statement::{Fact, Loose as Short, Measure, StatementOutcome};
 use rederive::verdict::statement::{Sign, Subject};
 use std::collections::BTreeSet;
 
@@ -98,6 +98,19 @@ const CASES: &[Case] = &[
     case("increasing in", r"\frac{y}{x}", "in = \"y\"", Holds),
     case("decreasing in", r"\frac{y}{x}", "in = \"y\"", Refuted),
     case("decreasing in", r"x + \frac{9}{x}", "in = \"x\"", Loose),
+    // It turns at 1.025 times the reference value.
+    case(
+        "increasing in",
+        r"x + \frac{4.2025}{x}",
+        "in = \"x\"",
+        Loose,
+    ),
+    case(
+        "increasing in",
+        r"x + \frac{4.2025}{x}",
+        "in = \"x\"\ntolerance = \"1/50\"",
+        Refuted,
+    ),
     case("not monotone in", r"x + \frac{1}{x}", "in = \"x\"", Holds),
     case(
         "not monotone in",
@@ -791,4 +804,69 @@ fn a_slip_says_what_it_changes() {
     assert!(!unknown.corrected);
     assert_eq!(unknown.ratio().to_string(), "24000/23");
     assert_eq!(effect("1"), None);
+}
+
+#[test]
+fn a_sentence_that_is_true_in_one_reading_is_loose_and_not_refuted() {
+    let readings =
+        "of = [\"f\", \"f\", \"f\"]\npredicate = \"equals\"\nto = [\"x^2\", \"2x\", \"y\"]\n";
+    let words = |settings: &str| -> Vec<(VerdictWord, Option<Short>)> {
+        let audit = audit(&document("x^2", settings));
+        audit.statements.iter().map(|o| (o.word, o.loose)).collect()
+    };
+    assert_eq!(
+        words(readings),
+        [(Holds, None), (Holds, None), (Refuted, None)]
+    );
+    assert_eq!(
+        words(&format!("{readings}alternatives = true\n")),
+        [
+            (Holds, None),
+            (Holds, None),
+            (Loose, Some(Short::Otherwise))
+        ]
+    );
+    let neither =
+        "of = [\"f\", \"f\"]\npredicate = \"equals\"\nto = [\"x\", \"y\"]\nalternatives = true\n";
+    assert_eq!(words(neither), [(Refuted, None), (Refuted, None)]);
+}
+
+#[test]
+fn how_a_loose_statement_falls_short_is_told_apart() {
+    for (quantity, settings, expected) in [
+        (
+            "x + \\frac{1}{x}",
+            "predicate = \"increasing in\"\nin = \"x\"",
+            Short::Partly,
+        ),
+        (
+            "x + \\frac{4.2025}{x}",
+            "predicate = \"increasing in\"\nin = \"x\"",
+            Short::Nearly,
+        ),
+        (
+            "y + x/100",
+            "predicate = \"independent of\"\nin = \"x\"",
+            Short::Nearly,
+        ),
+        (
+            "\\frac{x}{2.1} + \\frac{2.1}{x}",
+            "predicate = \"minimal at\"\nin = \"x\"",
+            Short::Nearly,
+        ),
+    ] {
+        let outcome = outcome(quantity, &format!("of = \"f\"\n{settings}"));
+        assert_eq!(
+            (outcome.word, outcome.loose),
+            (Loose, Some(expected)),
+            "{quantity}"
+        );
+    }
+}
+
+#[test]
+fn a_function_that_is_not_rational_is_not_explicit() {
+    let of = |quantity| outcome(quantity, "of = \"f\"\npredicate = \"explicit\"").word;
+    assert_eq!(of("\\frac{1}{z^2 + 1}"), Holds);
+    assert_eq!(of("\\exp(z)"), Refuted);
 }

@@ -4,6 +4,7 @@
 //! further down is computed from the corrected equation: slips do not cascade. No float is used
 //! here, no verdict depends on what the author expects, and nothing unknown counts as true.
 
+mod after;
 mod conditions;
 mod definite;
 pub mod edit;
@@ -210,10 +211,15 @@ impl<'m> Checker<'m> {
         let printed = &self.model.equations[equation];
         let mut certificate = Certificate::default();
         let mut positivity = None;
+        let before = self.exact.display(equation).clone();
         let verdict = self.verdict(equation, l, unusable, &mut certificate, &mut positivity);
         debug_assert!(certificate.verify(), "a certificate that does not verify");
         let conditions = self.conditions();
         let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
+        let after = match &verdict {
+            Verdict::Misprint { .. } | Verdict::Refuted(_) => self.after(equation, l, &before),
+            _ => None,
+        };
         Outcome {
             equation,
             member: printed.links[l].member,
@@ -221,6 +227,7 @@ impl<'m> Checker<'m> {
             conditions,
             certificate,
             positivity,
+            after,
             assumed: assumed.collect(),
             instances: vec![self.instance],
         }
@@ -486,7 +493,9 @@ impl<'m> Checker<'m> {
         mut refutation: Refutation,
         certificate: &mut Certificate,
     ) -> Verdict {
-        if !self.options.repair {
+        // Where the document says what is meant instead, nothing is misprinted in the equation.
+        let settings = &self.model.equations[equation].settings;
+        if !self.options.repair || settings.instead.is_some() {
             return Verdict::Refuted(refutation);
         }
         match self.search(equation, link, self.options.candidates) {

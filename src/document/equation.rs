@@ -64,6 +64,18 @@ pub struct Settings {
     pub likelier: Option<Source>,
     /// Why it is likelier there.
     pub because: Option<Text>,
+    /// The words of the paper that an equation of the document puts into a formula.
+    pub quote: Option<Text>,
+    /// How the words should read.
+    pub reads: Option<Text>,
+    /// The label of another proposition of the document that holds and is meant instead.
+    pub instead: Option<Text>,
+    /// Labels of equations that might be the false ones instead: of these and this one, one is.
+    pub or: Vec<Text>,
+    /// Labels of equations that need this one, which the paper does not write.
+    pub unwritten: Vec<Text>,
+    /// Where in the paper it stands, in words.
+    pub place: Option<Text>,
 }
 
 impl Settings {
@@ -189,7 +201,12 @@ pub(super) fn targets(words: &str, offset: usize) -> Vec<Text> {
 pub(super) fn settings(entries: Entries, settings: &mut Settings, report: &mut Vec<Diagnostic>) {
     let mut fields = Fields::new(entries, report);
     judgement(&mut fields, settings);
+    if let Some(quote) = fields.text("quote") {
+        settings.quote = Some(quote);
+    }
     settings.given.extend(fields.texts("given"));
+    settings.or.extend(fields.texts("or"));
+    settings.unwritten.extend(fields.texts("unwritten"));
     for (key, value) in fields.table("members") {
         let member = member(&key, fields.report());
         let recall = recalled(value, fields.report());
@@ -201,7 +218,7 @@ pub(super) fn settings(entries: Entries, settings: &mut Settings, report: &mut V
 }
 
 /// What is said of equations and statements alike: the verdict on record, the reason, the note,
-/// and where a slip is likelier.
+/// where a slip is likelier, and what should stand there.
 pub(super) fn judgement(fields: &mut Fields<'_>, settings: &mut Settings) {
     if let Some(value) = fields.take("expect") {
         match value.kind {
@@ -227,6 +244,15 @@ pub(super) fn judgement(fields: &mut Fields<'_>, settings: &mut Settings) {
     }
     if let Some(note) = fields.text("note") {
         settings.note = Some(note);
+    }
+    for (key, place) in [
+        ("reads", &mut settings.reads),
+        ("instead", &mut settings.instead),
+        ("place", &mut settings.place),
+    ] {
+        if let Some(text) = fields.text(key) {
+            *place = Some(text);
+        }
     }
     if let Some(word) = fields.text("likelier") {
         settings.likelier = source(&word, fields.report());

@@ -19,6 +19,10 @@ pub struct Statement {
     /// What the document says about it; of these the recorded verdict, the reason, the note, and
     /// where a slip is likelier.
     pub settings: Settings,
+    /// Whether the sentence is the document's own and none of the paper's.
+    pub own: bool,
+    /// Whether its propositions are different readings of it, of which it needs only one.
+    pub alternatives: bool,
     /// What the sentence means; none for one that is only recalled.
     pub meaning: Option<Meaning>,
 }
@@ -169,9 +173,8 @@ impl Predicate {
     fn arguments(self) -> (&'static [&'static str], &'static [&'static str]) {
         match self {
             Predicate::Positive | Predicate::Explicit => (&[], &[]),
-            Predicate::IncreasingIn
-            | Predicate::DecreasingIn
-            | Predicate::NotMonotoneIn
+            Predicate::IncreasingIn | Predicate::DecreasingIn => (&["in"], &["tolerance"]),
+            Predicate::NotMonotoneIn
             | Predicate::ConvexIn
             | Predicate::HasAMinimumIn
             | Predicate::HasAMaximumIn
@@ -201,6 +204,8 @@ pub(super) fn settings(
 ) {
     let mut fields = Fields::new(entries, report);
     equation::judgement(&mut fields, &mut statement.settings);
+    statement.own |= fields.boolean("own").unwrap_or(false);
+    statement.alternatives |= fields.boolean("alternatives").unwrap_or(false);
     let predicate = fields
         .text("predicate")
         .and_then(|word| predicate(word, fields.report()));

@@ -42,7 +42,7 @@ impl Model {
         builder.definitions();
         builder.covariances();
         builder.claims();
-        builder.finish(document)
+        builder.finish(document, signature)
     }
 }
 
@@ -612,7 +612,7 @@ impl Builder {
         }
     }
 
-    fn finish(self, document: &Document) -> Result<Model, Vec<Diagnostic>> {
+    fn finish(self, document: &Document, signature: Signature) -> Result<Model, Vec<Diagnostic>> {
         let mut report = self.report;
         let mut letters = letters(&self.symbols, &self.matrices, &self.equations);
         let reserve = reserve(&self.equations, &self.notation);
@@ -654,6 +654,7 @@ impl Builder {
             functions: None,
             arguments: self.arguments,
             names: self.names,
+            signature,
         };
         report.extend(model.check_names());
         if report.is_empty() {

@@ -15,6 +15,7 @@ use crate::document::{Document, Instance, Settings, Size, VerdictWord};
 use crate::domain::Symbolic;
 use crate::expr::{Display, Expr, Name};
 use crate::functions::{Constant, FunctionTable};
+use crate::latex::Signature;
 use crate::span::Span;
 use links::{Link, Place};
 use matrices::MatrixSymbol;
@@ -273,6 +274,8 @@ pub struct Model {
     /// The letters that some process is a function of.
     pub arguments: BTreeSet<String>,
     pub(crate) names: Names,
+    /// How its equations are read.
+    pub(crate) signature: Signature,
 }
 
 impl Model {

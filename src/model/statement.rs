@@ -18,6 +18,10 @@ pub struct Statement {
     pub sentence: String,
     /// The author's settings.
     pub settings: Settings,
+    /// Whether the sentence is the document's own and none of the paper's.
+    pub own: bool,
+    /// Whether the propositions are readings of it of which one must be true.
+    pub alternatives: bool,
     /// One for each quantity and letter; none where the sentence is recalled.
     pub propositions: Vec<Proposition>,
     /// Where it stands.
@@ -96,6 +100,8 @@ impl Builder {
                 label: statement.label.text.clone(),
                 sentence: statement.sentence.text.clone(),
                 settings: statement.settings.clone(),
+                own: statement.own,
+                alternatives: statement.alternatives,
                 propositions,
                 span: statement.sentence.span,
             });

@@ -1,6 +1,7 @@
 //! Sentences with formulas in them, written once and shown twice: in a terminal and in LaTeX.
 
 use crate::report::latex::escape::escape;
+use crate::report::latex::printed::printed;
 use crate::report::plain::plain;
 
 /// A piece of a sentence.
@@ -34,6 +35,36 @@ impl Prose {
     /// Only words.
     pub fn of(words: impl Into<String>) -> Self {
         Prose::new().words(words)
+    }
+
+    /// Free text of a document: formulas stand between dollars, names of programs between backquotes.
+    pub fn text(text: &str) -> Self {
+        let mut prose = Prose::new();
+        let mut words = String::new();
+        let mut rest = text;
+        while let Some(c) = rest.chars().next() {
+            match enclosed(rest, words.chars().last()) {
+                Some((inner, after)) => {
+                    if !words.is_empty() {
+                        prose = prose.words(std::mem::take(&mut words));
+                    }
+                    prose = match c {
+                        '$' => prose.formula(printed(inner), plain(inner)),
+                        _ => prose.code(inner),
+                    };
+                    rest = after;
+                }
+                None => {
+                    words.push(c);
+                    rest = &rest[c.len_utf8()..];
+                }
+            }
+        }
+        if words.is_empty() {
+            prose
+        } else {
+            prose.words(words)
+        }
     }
 
     /// Appends words.
@@ -160,6 +191,21 @@ impl Prose {
     }
 }
 
+/// What stands between the sign that a text begins with and the next one, and what follows: for a
+/// dollar only where it can be no price.
+fn enclosed(text: &str, before: Option<char>) -> Option<(&str, &str)> {
+    let sign = text.chars().next().filter(|c| matches!(c, '$' | '`'))?;
+    let inner = &text[1..];
+    let end = inner.find(sign)?;
+    let (inner, after) = (&inner[..end], &inner[end + 1..]);
+    let is_blank = |c: Option<char>| c.is_none_or(char::is_whitespace);
+    let tight = !is_blank(inner.chars().next()) && !is_blank(inner.chars().last());
+    let price = sign == '$'
+        && (after.starts_with(|c: char| c.is_ascii_digit())
+            || before.is_some_and(|c| c == '\\' || c.is_ascii_digit()));
+    (tight && !price).then_some((inner, after))
+}
+
 /// A paragraph, a displayed formula or a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Block {
@@ -185,5 +231,41 @@ impl Block {
     /// A paragraph.
     pub fn paragraph(prose: Prose) -> Self {
         Block::Paragraph(prose)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Prose;
+
+    #[test]
+    fn formulas_and_names_in_free_text_are_told_from_prices() {
+        for (text, latex, terminal) in [
+            (
+                "the slope $-w$ of $\\Phi$, see `rederive explain`",
+                "the slope $-w$ of $\\Phi$, see \\texttt{rederive explain}",
+                "the slope -w of Φ, see rederive explain",
+            ),
+            ("5 $ and 6 $", "5 \\$ and 6 \\$", "5 $ and 6 $"),
+            ("from $5 to $6", "from \\$5 to \\$6", "from $5 to $6"),
+            ("a ` alone", "a \\textasciigrave{} alone", "a ` alone"),
+            (
+                "$$ and ``",
+                "\\$\\$ and \\textasciigrave{}\\textasciigrave{}",
+                "$$ and ``",
+            ),
+        ] {
+            assert_eq!(Prose::text(text).to_plain(), terminal);
+            assert_eq!(
+                Prose::text(text).to_latex().replace("\\allowbreak{}", ""),
+                latex
+            );
+        }
+    }
+
+    #[test]
+    fn a_formula_in_free_text_cannot_act() {
+        let latex = Prose::text("see $\\input{/etc/passwd}$ there").to_latex();
+        assert!(!latex.contains("\\input"), "{latex}");
     }
 }

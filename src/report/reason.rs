@@ -120,7 +120,8 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
                 }
                 None => format!("{class}: "),
             };
-            Prose::of(class)
+            after(audit, outcome)
+                .words(class)
                 .then(edits(&correction.edits))
                 .words("; ")
                 .words(uniqueness(correction))
@@ -132,9 +133,9 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
                 })
         }
         Verdict::Refuted(refutation) => {
-            let mut line = missing(refutation);
+            let mut line = after(audit, outcome).then(missing(refutation));
             if let Some(entry) = refutation.residual.first() {
-                if !line.is_empty() {
+                if !missing(refutation).is_empty() {
                     line = line.words("; read as zero, ");
                 }
                 line = line.then(place(entry));
@@ -171,6 +172,20 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
         }
         Verdict::Recalled { reason } => Prose::of(reason.clone()),
     }
+}
+
+/// `true as printed, but (30.1) is not, and its correction changes a side; with that `: of a link that an
+/// earlier one's correction makes false; else nothing.
+pub fn after(audit: &Audit, outcome: &Outcome) -> Prose {
+    let Some(after) = &outcome.after else {
+        return Prose::new();
+    };
+    let label = &audit.model.equations[outcome.equation].label;
+    let earlier = format!("({label}.{})", after.member);
+    Prose::of(match after.true_as_printed {
+        true => format!("true as printed, but {earlier} corrects a side of it; with that, "),
+        false => format!("with the side that {earlier} corrects, "),
+    })
 }
 
 /// `(47)`, `(47) and (49)`.

@@ -3,12 +3,13 @@
 
 use crate::audit::Audit;
 use crate::check::effect::effect;
+use crate::document::Settings;
 use crate::report::algebraic::shown;
 use crate::report::formula::{Formulas, Script};
 use crate::report::plain::plain;
 use crate::report::prose::{Block, Prose};
 use crate::report::reason::{
-    absent, combination, difference, edits, equation_of, hypothesis, labels, missing, place,
+    absent, after, combination, difference, edits, equation_of, hypothesis, labels, missing, place,
     reason, relations, uniqueness, values,
 };
 use crate::verdict::{
@@ -48,14 +49,19 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
             refutation,
             correction,
         } => {
-            refutation_blocks(formulas, refutation, &mut blocks);
+            refutation_blocks(audit, formulas, outcome, refutation, &mut blocks);
             correction_blocks(audit, formulas, outcome, correction, &mut blocks);
             blocks.extend(effect_block(audit, outcome));
             blocks.push(Block::paragraph(certificate(&outcome.certificate)));
         }
         Verdict::Refuted(refutation) => {
-            refutation_blocks(formulas, refutation, &mut blocks);
+            refutation_blocks(audit, formulas, outcome, refutation, &mut blocks);
             blocks.extend(effect_block(audit, outcome));
+            let settings = &audit.model.equations[outcome.equation].settings;
+            if let Some(line) = instead(settings) {
+                blocks.push(Block::paragraph(line));
+                return blocks;
+            }
             blocks.push(Block::paragraph(Prose::of(match refutation.searched {
                 Some(Searched { budget: 0, .. }) => {
                     "No correction: the budget is empty.".to_string()
@@ -75,6 +81,15 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
         }
     }
     blocks
+}
+
+/// `What holds instead is (6-from-4).`
+pub fn instead(settings: &Settings) -> Option<Prose> {
+    let instead = settings.instead.as_ref()?;
+    Some(Prose::of(format!(
+        "What holds instead is ({}).",
+        instead.text
+    )))
 }
 
 /// A line with a capital letter and a full stop is a sentence.
@@ -126,9 +141,23 @@ fn more(count: usize, what: &str, blocks: &mut Vec<Block>) {
     }
 }
 
-fn refutation_blocks(formulas: &Formulas, refutation: &Refutation, blocks: &mut Vec<Block>) {
+fn refutation_blocks(
+    audit: &Audit,
+    formulas: &Formulas,
+    outcome: &Outcome,
+    refutation: &Refutation,
+    blocks: &mut Vec<Block>,
+) {
     let absent = missing(refutation);
-    if !absent.is_empty() {
+    let after = after(audit, outcome);
+    if !after.is_empty() {
+        let line = after.capitalised();
+        blocks.push(Block::paragraph(if absent.is_empty() {
+            line.words("left minus right is not zero:")
+        } else {
+            line.words("it is false: ").then(absent).words(".")
+        }));
+    } else if !absent.is_empty() {
         let rest = if refutation.residual.is_empty() {
             "."
         } else {

@@ -10,7 +10,7 @@ use crate::report::formula::{Formulas, Script, number, width};
 use crate::report::prose::{Block, Prose};
 use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::{
-    ClosedForm, Fact, Limit, Measure, Scope, Sign, StatementOutcome, Subject,
+    ClosedForm, Fact, Limit, Loose, Measure, Scope, Sign, StatementOutcome, Subject,
 };
 use num_rational::BigRational;
 use ratpoly::RationalFunction;
@@ -48,6 +48,9 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) ->
         proposition,
     };
     let mut line = writer.claim();
+    if outcome.loose == Some(Loose::Otherwise) {
+        line = line.words(" is false, while another reading is true");
+    }
     if !why.is_empty() && outcome.reason.is_some() {
         line = line.words(": ").then(why);
     }
@@ -60,6 +63,37 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) ->
         line = line.words(if k == 0 { ": " } else { "; " }).then(next);
     }
     line
+}
+
+/// The same for a sheet of errata: what is said of what was read, and the facts that show it.
+pub fn judgement(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) -> Prose {
+    let Some(proposition) = proposition_of(audit, outcome) else {
+        return Prose::of(outcome.reason.clone().unwrap_or_default());
+    };
+    let writer = Writer {
+        audit,
+        formulas,
+        proposition,
+    };
+    let said = match (outcome.word, outcome.loose) {
+        (_, Some(Loose::Nearly)) => "true only approximately",
+        (_, Some(Loose::Partly)) => "true at the reference values, and not for all",
+        (_, Some(Loose::Otherwise)) => "false, while another reading is true",
+        (VerdictWord::Refuted, _) => "false",
+        (word, _) => word.as_str(),
+    };
+    let line = Prose::of("read “")
+        .then(writer.claim())
+        .words(format!("”, it is {said}"));
+    // The first fact, and what is known of the box.
+    let in_box = |f: &Fact| matches!(f, Fact::Sign(_, _, Scope::Box(_)));
+    let facts = outcome.facts.iter().enumerate();
+    let facts = facts.filter(|(k, f)| *k == 0 || in_box(f)).take(2);
+    let facts: Vec<Prose> = facts.map(|(_, f)| writer.fact(f)).collect();
+    match facts.is_empty() {
+        true => line,
+        false => line.words(": ").then(Prose::joined(facts, "; ")),
+    }
 }
 
 /// Everything that was found about a proposition.
@@ -356,6 +390,9 @@ impl Writer<'_> {
                 "it is a product of such functions: every mixed derivative of its logarithm \
                  vanishes"
             }),
+            Fact::Functions(letters) => self
+                .letters(letters, ", ")
+                .words(" in it is no rational function of the letters"),
             Fact::Explicit(1, terms) => Prose::of(format!(
                 "it is a rational function of the letters, with {terms} terms"
             )),

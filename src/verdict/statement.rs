@@ -19,12 +19,25 @@ pub struct StatementOutcome {
     pub member: usize,
     /// The verdict: holds, loose, refuted, undecided or recalled.
     pub word: VerdictWord,
+    /// How a loose one falls short.
+    pub loose: Option<Loose>,
     /// Why it is undecided or recalled.
     pub reason: Option<String>,
     /// What was found, the most telling first.
     pub facts: Vec<Fact>,
     /// The signs that it rests on.
     pub signs: Vec<SignCertificate>,
+}
+
+/// How a statement that is loose falls short of being true.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loose {
+    /// True at the reference values, and not for all values.
+    Partly,
+    /// False, by no more than the tolerance.
+    Nearly,
+    /// False in this reading and true in another one of the same sentence.
+    Otherwise,
 }
 
 /// What a sign or a witness is about.
@@ -205,6 +218,8 @@ pub enum Fact {
     Separates(bool),
     /// A rational function, or a matrix of them: how many entries, how many terms.
     Explicit(usize, usize),
+    /// Letters in it stand for functions that are not rational.
+    Functions(Vec<usize>),
 }
 
 /// The sign of a function as the product of the signs of its factors.

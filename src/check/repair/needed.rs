@@ -16,6 +16,7 @@ use crate::model::links::{Place, children};
 use crate::model::names::literal_integer;
 use crate::span::Span;
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// A way down a side.
 pub(super) struct Walk<'w, 'r, 'm> {
@@ -75,6 +76,26 @@ impl Walk<'_, '_, '_> {
             Residue::Is(value) => Some(value),
             _ => None,
         }
+    }
+
+    /// Which rows and columns the entry at a step of a matrix's display fills.
+    fn block(&mut self, rows: &[Vec<Expr>], step: usize) -> Option<Block> {
+        let width = rows.first()?.len();
+        let (mut heights, mut widths) = (vec![1; rows.len()], vec![1; width]);
+        for (i, row) in rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                if let Some((height, width)) = self.value(entry).and_then(|v| v.shape()) {
+                    heights[i] = heights[i].max(height);
+                    widths[j] = widths[j].max(width);
+                }
+            }
+        }
+        let (i, j) = (step / width, step % width);
+        let (top, left) = (heights[..i].iter().sum(), widths[..j].iter().sum());
+        Some(Block {
+            rows: top..top + heights.get(i)?,
+            columns: left..left + widths.get(j)?,
+        })
     }
 
     /// The values that a child must have, for the needed values of the whole.
@@ -192,26 +213,43 @@ impl Walk<'_, '_, '_> {
                 Value::Matrix(m) => Value::Matrix(m.transpose()),
                 other => other.clone(),
             }),
-            ExprKind::Matrix { .. } => {
+            ExprKind::Matrix { rows, .. } => {
                 let (Some(Value::Matrix(printed)), Value::Matrix(whole)) =
                     (self.value(expr), whole)
                 else {
                     return;
                 };
-                found.extend(entry(&printed, whole, step).map(Value::Scalar));
+                let block = self.block(rows, step);
+                found.extend(block.and_then(|block| part(&printed, whole, &block)));
             }
             _ => {}
         }
     }
 }
 
-/// What an entry must be where all others are as they must be.
-fn entry(printed: &Matrix<u64>, needed: &Matrix<u64>, step: usize) -> Option<u64> {
+/// Rows and columns of a matrix that an entry of its display fills.
+struct Block {
+    rows: Range<usize>,
+    columns: Range<usize>,
+}
+
+/// What an entry, which may be a block, must be where all others are as they must be.
+fn part(printed: &Matrix<u64>, needed: &Matrix<u64>, block: &Block) -> Option<Value<u64>> {
     if printed.shape() != needed.shape() {
         return None;
     }
+    let columns = needed.columns();
+    let inside =
+        |k: usize| block.rows.contains(&(k / columns)) && block.columns.contains(&(k % columns));
     let mut entries = printed.iter().zip(needed.iter()).enumerate();
-    let others = entries.all(|(k, (one, other))| k == step || one == other);
-    let (columns, at) = (needed.columns(), step);
-    others.then(|| needed[(at / columns, at % columns)])
+    if !entries.all(|(k, (one, other))| inside(k) || one == other) {
+        return None;
+    }
+    let (top, left) = (block.rows.start, block.columns.start);
+    Some(match (block.rows.len(), block.columns.len()) {
+        (1, 1) => Value::Scalar(needed[(top, left)]),
+        (rows, columns) => Value::Matrix(Matrix::from_fn(rows, columns, |i, j| {
+            needed[(top + i, left + j)]
+        })),
+    })
 }

@@ -150,7 +150,12 @@ impl<'m> Store<'m> {
             ExprKind::Number(number) => self.shared(Shape::Number(number.clone()), None),
             ExprKind::Sum(terms) => {
                 let terms = terms.iter().map(|(s, e)| (*s, self.node(e))).collect();
-                self.shared(Shape::Sum(terms), None)
+                // Blocks of zeros get their height from the other terms, which the evaluator sees.
+                let mut blocks = false;
+                visit(expr, &mut |e| {
+                    blocks |= matches!(e.kind, ExprKind::Matrix { .. });
+                });
+                self.shared(Shape::Sum(terms), blocks.then_some(expr))
             }
             ExprKind::Product(factors) => {
                 let factors = factors.iter().map(|e| self.node(e)).collect();
@@ -303,10 +308,10 @@ impl<'m> Store<'m> {
                         (Some(s), Sign::Plus) => value::add(&field, s, &value, span),
                         (Some(s), Sign::Minus) => value::subtract(&field, s, &value, span),
                     };
-                    // Blocks of zeros may still fit: the evaluator knows.
                     match next {
                         Ok(next) => sum = Some(next),
-                        Err(_) => return Residue::Unknown,
+                        // Blocks of zeros may still fit.
+                        Err(_) => return self.evaluated(id, env),
                     }
                 }
                 sum.map_or(Residue::Absent, Residue::Is)

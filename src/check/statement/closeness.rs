@@ -55,7 +55,11 @@ impl Ground {
                 });
                 Found::of(VerdictWord::Refuted, facts)
             }
-            (None, _) => Found::undecided("there are no reference values"),
+            // Letters without a value may cancel in the quotient.
+            (None, _) => match self.ratio(f, to).filter(|q| !q.is_one()) {
+                Some(ratio) => Found::of(VerdictWord::Refuted, vec![deviation(&ratio)]),
+                None => Found::undecided("there are no reference values"),
+            },
         }
     }
 

@@ -1,6 +1,7 @@
 //! On which letters a quantity depends, and how: proportionality, separation of letters.
 
-use super::{Found, Ground};
+use super::{Checker, Found, Ground};
+use crate::check::identity::letters_of;
 use crate::document::VerdictWord;
 use crate::evaluate::Value;
 use crate::model::statement::Proposition;
@@ -9,15 +10,25 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use ratpoly::RationalFunction;
 
-/// A value that was computed is a rational function of the letters.
-pub(super) fn explicit(value: &Value<RationalFunction>) -> Found {
-    let entries = value.entries();
-    let terms = entries
-        .iter()
-        .map(|e| e.numerator().len() + e.denominator().len())
-        .sum();
-    let fact = Fact::Explicit(entries.len(), terms);
-    Found::of(VerdictWord::Holds, vec![fact])
+impl Checker<'_> {
+    /// A value that was computed is a rational function of the letters if no letter in it stands for
+    /// a function of others.
+    pub(super) fn explicit(&self, value: &Value<RationalFunction>) -> Found {
+        let entries = value.entries();
+        let functions: Vec<usize> = letters_of(entries.iter().copied())
+            .into_iter()
+            .filter(|l| self.stands_for_a_function(*l))
+            .collect();
+        if !functions.is_empty() {
+            return Found::of(VerdictWord::Refuted, vec![Fact::Functions(functions)]);
+        }
+        let terms = entries
+            .iter()
+            .map(|e| e.numerator().len() + e.denominator().len())
+            .sum();
+        let fact = Fact::Explicit(entries.len(), terms);
+        Found::of(VerdictWord::Holds, vec![fact])
+    }
 }
 
 impl Ground {
@@ -110,7 +121,7 @@ impl Ground {
             VerdictWord::Refuted
         };
         let fact = Fact::Number(Measure::MixedElasticity(x, y), value.into());
-        Found::of(word, vec![fact])
+        Found::of(word, vec![fact]).nearly()
     }
 
     pub(super) fn proportional(
@@ -164,6 +175,6 @@ impl Ground {
         if self.at(&quotient).is_some_and(|v| v.is_zero()) {
             facts.push(Fact::Quotient(quotient));
         }
-        Found::of(word, facts)
+        Found::of(word, facts).nearly()
     }
 }

@@ -6,7 +6,7 @@ use crate::document::VerdictWord;
 use crate::model::statement::Proposition;
 use crate::verdict::statement::{Fact, Measure, Scope, Sign, Subject};
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 use ratpoly::RationalFunction;
 
 impl Ground {
@@ -73,8 +73,24 @@ impl Ground {
         let Ok(derivative) = f.derivative(x) else {
             return Found::undecided("the derivative is out of reach");
         };
-        self.strict(&derivative, increasing, Subject::Derivative(x), Some(x), p)
-            .and(self.elasticity_facts(f, x, p))
+        let mut found = self
+            .strict(&derivative, increasing, Subject::Derivative(x), Some(x), p)
+            .and(self.elasticity_facts(f, x, p));
+        // It turns so near to the reference value that this is as good as an extremum.
+        let one = BigRational::one();
+        let (low, high) = (&one - &p.tolerance, &one + &p.tolerance);
+        let turns = |fact: &Fact| match fact {
+            Fact::Number(Measure::Threshold(_), at) => {
+                at.compare_rational(&low).is_ge() && at.compare_rational(&high).is_le()
+            }
+            _ => false,
+        };
+        if found.word == VerdictWord::Refuted && found.facts.iter().any(turns) {
+            found.word = VerdictWord::Loose;
+            found.facts.sort_by_key(|fact| !turns(fact));
+            found = found.nearly();
+        }
+        found
     }
 
     pub(super) fn convex(&self, f: &RationalFunction, x: usize, p: &Proposition) -> Found {
@@ -139,7 +155,7 @@ impl Ground {
             });
         }
         found.add_study(subject, self.sign(&derivative, &Scope::Everywhere));
-        found.and(self.extremum_facts(f, x, false))
+        found.and(self.extremum_facts(f, x, false)).nearly()
     }
 
     pub(super) fn essential(&self, f: &RationalFunction, x: usize, p: &Proposition) -> Found {

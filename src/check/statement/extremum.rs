@@ -357,6 +357,7 @@ impl Ground {
         let negative = -p.tolerance.clone();
         let near = distance.compare_rational(&p.tolerance).is_le()
             && distance.compare_rational(&negative).is_ge();
+        let distance_is_zero = distance.as_rational().is_some_and(Zero::is_zero);
         let word = match distance.as_rational() {
             // A number is right at the reference values; a formula would have to be so everywhere.
             Some(zero) if zero.is_zero() => match &at {
@@ -379,6 +380,9 @@ impl Ground {
             }
         }
         let mut found = Found::of(word, facts);
+        if near && !distance_is_zero {
+            found = found.nearly();
+        }
         found.signs = extremum.signs;
         found
     }

@@ -2,7 +2,8 @@
 //!
 //! The rule: a statement *holds* if it is true wherever it says (for all positive values of the
 //! letters unless it names a box); it is *loose* if it is true at the reference point and on a part
-//! only, or true up to its tolerance; it is *refuted* if it is false at the reference point. Every
+//! only, or true up to its tolerance, or in another reading of the sentence; it is *refuted* if it is
+//! false at the reference point. Every
 //! verdict carries numbers that show how near it is to another one.
 
 mod closeness;
@@ -21,7 +22,7 @@ use crate::functions::FunctionLetter;
 use crate::model::statement::Proposition;
 use crate::model::{Letter, Model};
 use crate::unit::{self, Units};
-use crate::verdict::statement::{Fact, Scope, SignCertificate, StatementOutcome, Subject};
+use crate::verdict::statement::{Fact, Loose, Scope, SignCertificate, StatementOutcome, Subject};
 use num_rational::BigRational;
 use num_traits::Zero;
 use ratpoly::{RationalFunction, Ring};
@@ -39,6 +40,8 @@ pub(super) struct Ground {
 /// A verdict with its facts.
 pub(super) struct Found {
     word: VerdictWord,
+    /// How it falls short where it is loose; partly unless told.
+    loose: Loose,
     reason: Option<String>,
     facts: Vec<Fact>,
     signs: Vec<SignCertificate>,
@@ -48,6 +51,7 @@ impl Default for Found {
     fn default() -> Self {
         Found {
             word: VerdictWord::Undecided,
+            loose: Loose::Partly,
             reason: None,
             facts: Vec::new(),
             signs: Vec::new(),
@@ -62,6 +66,12 @@ impl Found {
             facts,
             ..Found::default()
         }
+    }
+
+    /// Loose by what its number misses.
+    fn nearly(mut self) -> Self {
+        self.loose = Loose::Nearly;
+        self
     }
 
     fn undecided(reason: impl Into<String>) -> Self {
@@ -97,6 +107,7 @@ impl Checker<'_> {
                     statement: index,
                     member: 1,
                     word: VerdictWord::Recalled,
+                    loose: None,
                     reason: statement.settings.reason.as_ref().map(|r| r.text.clone()),
                     facts: Vec::new(),
                     signs: Vec::new(),
@@ -112,13 +123,24 @@ impl Checker<'_> {
                     statement: index,
                     member: k + 1,
                     word: found.word,
+                    loose: (found.word == VerdictWord::Loose).then_some(found.loose),
                     reason: found.reason,
                     facts: found.facts,
                     signs: found.signs,
                 });
             }
+            if statement.alternatives {
+                read_otherwise(&mut outcomes, index);
+            }
         }
         outcomes
+    }
+
+    /// Whether a letter is the value of a function of others; the circle's constant is a number.
+    fn stands_for_a_function(&self, letter: usize) -> bool {
+        let functions = self.model.functions.as_ref();
+        let meaning = functions.and_then(|table| table.meaning(letter));
+        meaning.is_some_and(|meaning| meaning != FunctionLetter::Pi)
     }
 
     /// A scalar quantity in the declared symbols, with the letters inserted that the proposition
@@ -139,11 +161,9 @@ impl Checker<'_> {
         };
         // Predicates ask for derivatives and signs of rational functions: a letter that stands for
         // a function of other letters is none of their variables.
-        let function = |l: usize| {
-            let meaning = self.model.functions.as_ref()?.meaning(l)?;
-            (meaning != FunctionLetter::Pi).then_some(())
-        };
-        if (super::identity::letters_of([&value]).into_iter()).any(|l| function(l).is_some()) {
+        if (super::identity::letters_of([&value]).into_iter())
+            .any(|l| self.stands_for_a_function(l))
+        {
             return Err(Failure::unsupported(
                 "a statement about exp, cos or roots",
                 span,
@@ -181,7 +201,7 @@ impl Checker<'_> {
         }
         if p.predicate == Predicate::Explicit {
             let value = self.exact.expression(&p.of)?;
-            return Ok(dependence::explicit(&value));
+            return Ok(self.explicit(&value));
         }
         let f = self.quantity(&p.of, p, ground)?;
         let mut optional = |expr: &Option<Expr>| match expr {
@@ -222,6 +242,24 @@ impl Checker<'_> {
             (Predicate::SmallComparedWith, _) => ground.small(&f, to.as_ref(), p),
             _ => Found::undecided("nothing says for which letter"),
         })
+    }
+}
+
+/// Of several readings of one sentence one may be false while another is true: then the sentence is
+/// loose and not false.
+fn read_otherwise(outcomes: &mut [StatementOutcome], statement: usize) {
+    let of_it = |o: &&mut StatementOutcome| o.statement == statement;
+    let is_true = |o: &StatementOutcome| {
+        o.statement == statement && matches!(o.word, VerdictWord::Holds | VerdictWord::Loose)
+    };
+    if !outcomes.iter().any(is_true) {
+        return;
+    }
+    for outcome in outcomes.iter_mut().filter(of_it) {
+        if outcome.word == VerdictWord::Refuted {
+            outcome.word = VerdictWord::Loose;
+            outcome.loose = Some(Loose::Otherwise);
+        }
     }
 }
 

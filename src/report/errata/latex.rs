@@ -1,9 +1,11 @@
 //! The sheet in LaTeX.
 
-use super::{Erratum, Sheet};
+use super::{Erratum, Sentence, Sheet};
+use crate::document::Source;
 use crate::report::latex::Tex;
 use crate::report::latex::escape::escape;
 use crate::report::latex::preamble::HEAD;
+use crate::report::latex::printed::printed;
 use crate::report::prose::Prose;
 
 /// All sheets as one article.
@@ -50,22 +52,29 @@ fn write(tex: &mut Tex, sheet: &Sheet) {
         }
     }
     if !sheet.unwritten.is_empty() {
-        tex.heading("Relations that are used and not written");
+        tex.heading("What is used and not written");
         for unwritten in &sheet.unwritten {
-            let line = unwritten.relations.clone();
-            tex.paragraph(&line.words(format!(" for {}.", unwritten.equations.join(", "))));
+            let mut line = unwritten.relations.clone();
+            line = line.words(format!(" for {}.", unwritten.equations.join(", ")));
+            if let Some(note) = &unwritten.note {
+                line = line.words(" ").then(note.clone());
+            }
+            tex.paragraph(&line);
         }
     }
-    if !sheet.sentences.is_empty() {
-        tex.heading("Sentences");
-        for sentence in &sheet.sentences {
-            tex.line(&format!(
-                "\n\\begin{{quote}}{}\\end{{quote}}",
-                escape(&sentence.text)
-            ));
-            for fact in &sentence.facts {
-                tex.paragraph(&fact.clone().words("."));
-            }
+    for (title, sentences) in sheet.groups() {
+        if sentences.is_empty() {
+            continue;
+        }
+        tex.heading(title);
+        for one in sentences {
+            sentence(tex, one);
+        }
+    }
+    if !sheet.remarks.is_empty() {
+        tex.heading("Notation");
+        for remark in &sheet.remarks {
+            tex.paragraph(remark);
         }
     }
 }
@@ -75,29 +84,68 @@ fn erratum(tex: &mut Tex, one: &Erratum) {
         "\n\\paragraph{{{}}} is printed as",
         escape(&one.location)
     ));
-    tex.display(&one.printed);
+    tex.display(&printed(&one.printed));
     if let Some(corrected) = &one.corrected {
         tex.line("and should read");
-        tex.display(corrected);
+        tex.display(&printed(corrected));
     }
-    let mut line = Prose::of("Correction: ")
-        .then(one.correction.clone())
-        .words(". ");
-    if !one.why.is_empty() {
-        line = line.words("Why: ").then(one.why.clone()).words(". ");
+    let mut line = Prose::new();
+    for (title, lines) in [
+        ("Correction", &one.corrections),
+        ("Why", &one.why),
+        ("Effect", &one.effects),
+    ] {
+        if !lines.is_empty() {
+            let all = Prose::joined(lines.iter().cloned(), "; ");
+            line = line.words(format!("{title}: ")).then(all).words(". ");
+        }
     }
-    if let Some(effect) = &one.effect {
-        line = line.words("Effect: ").then(effect.clone()).words(". ");
-    }
-    if let Some((source, because)) = &one.source {
+    tex.paragraph(&line.then(remarks(&one.source, &one.note)));
+}
+
+/// Where a slip came in, and the document's note.
+fn remarks(source: &Option<(Source, Prose)>, note: &Option<Prose>) -> Prose {
+    let mut line = Prose::new();
+    if let Some((source, because)) = source {
         line = line.words(format!("Likelier the {}'s", source.as_str()));
         line = match because.is_empty() {
             true => line.words(". "),
-            false => line.words(format!(": {because}. ")),
+            false => line.words(": ").then(because.clone()).words(". "),
         };
     }
-    if let Some(note) = &one.note {
-        line = line.words(format!("Note: {note}"));
+    match note {
+        Some(note) => line.words("Note: ").then(note.clone()),
+        None => line,
     }
-    tex.paragraph(&line);
+}
+
+fn sentence(tex: &mut Tex, one: &Sentence) {
+    let quoted = |tex: &mut Tex, text: &Prose| {
+        tex.line(&format!(
+            "\n\\begin{{quote}}{}\\end{{quote}}",
+            text.to_latex()
+        ));
+    };
+    let text = match &one.place {
+        Some(place) => one.text.clone().words(" (").then(place.clone()).words(")"),
+        None => one.text.clone(),
+    };
+    quoted(tex, &text);
+    if let Some(reads) = &one.reads {
+        tex.line("It should read:");
+        quoted(tex, reads);
+    }
+    if let Some((formula, corrected)) = &one.formula {
+        tex.line("As a formula");
+        tex.display(&printed(formula));
+        if let Some(corrected) = corrected {
+            tex.line("and should be");
+            tex.display(&printed(corrected));
+        }
+    }
+    let mut line = Prose::new();
+    for fact in &one.facts {
+        line = line.then(fact.clone().capitalised()).words(". ");
+    }
+    tex.paragraph(&line.then(remarks(&one.source, &one.note)));
 }

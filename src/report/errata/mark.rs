@@ -2,14 +2,18 @@
 //!
 //! The two trees are compared, not the texts: what is marked is the smallest subexpression that
 //! changed, and in sums and products the terms and factors that came or went. How the correction was
-//! found does not matter.
+//! found does not matter. All that did not change stands as the document has it, verbatim: the changes
+//! are put into the printed LaTeX, and what comes out is read back and compared with the corrected
+//! tree; where it is another one, the whole is written anew.
 
-use crate::expr::{Chain, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
-use crate::latex::write_expr;
+use crate::expr::{Chain, Display, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
+use crate::latex::{
+    Signature, canonical, parse_display, write_display, write_expr, write_relation,
+};
 use crate::model::links::{children, children_mut};
 use crate::span::Span;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// The way to a subexpression by the numbers of the children.
 type Path = Vec<usize>;
@@ -20,6 +24,242 @@ pub(super) fn marked(printed: &Expr, corrected: &Expr) -> [String; 2] {
     compare([printed, corrected], [Vec::new(), Vec::new()], &mut found);
     let [old, new] = found;
     [underlined(printed, &old), underlined(corrected, &new)]
+}
+
+/// One place of a display with what should stand there.
+struct Replaced {
+    span: Span,
+    /// As printed and as corrected, with marks.
+    marked: [String; 2],
+    /// As corrected, as it is read back.
+    plain: String,
+}
+
+/// A whole display, whose LaTeX as printed begins at `offset` of the document, and the corrected one,
+/// with what differs underlined.
+pub(super) fn displays(
+    source: &str,
+    offset: usize,
+    pair: [&Display; 2],
+    signature: &Signature,
+) -> [String; 2] {
+    let [printed, corrected] = pair;
+    let reader = Source {
+        text: source,
+        offset,
+    };
+    let verbatim = || {
+        let mut found = Vec::new();
+        reader.display(printed, corrected, &mut found)?;
+        let plain = reader.spliced(&found, |r| &r.plain)?;
+        let read = parse_display(&plain, 0, signature).ok()?;
+        (read.clauses == corrected.clauses).then_some(())?;
+        Some([
+            reader.spliced(&found, |r| &r.marked[0])?,
+            reader.spliced(&found, |r| &r.marked[1])?,
+        ])
+    };
+    verbatim().unwrap_or_else(|| anew(source, printed, corrected))
+}
+
+/// Both displays written anew, each member with its marks.
+fn anew(source: &str, printed: &Display, corrected: &Display) -> [String; 2] {
+    let chains =
+        |d: &Display| -> Vec<Chain> { d.clauses.iter().map(|c| c.chain.clone()).collect() };
+    let (old, new) = (chains(printed), chains(corrected));
+    let same = |(a, b): (&Chain, &Chain)| a.relations == b.relations;
+    if old.len() != new.len() || !old.iter().zip(&new).all(same) {
+        return [source.trim().to_string(), write_display(corrected)];
+    }
+    let mut texts = [String::new(), String::new()];
+    for (k, (old, new)) in old.iter().zip(&new).enumerate() {
+        for (i, (a, b)) in old.members.iter().zip(&new.members).enumerate() {
+            let between = match (i, k) {
+                (0, 0) => String::new(),
+                (0, _) => ", \\quad ".to_string(),
+                _ => format!(" {} ", write_relation(old.relations[i - 1])),
+            };
+            for (text, one) in texts.iter_mut().zip(marked(a, b)) {
+                *text += &between;
+                *text += &one;
+            }
+        }
+    }
+    texts
+}
+
+/// Printed LaTeX that begins at a place of its document.
+struct Source<'s> {
+    text: &'s str,
+    offset: usize,
+}
+
+impl Source<'_> {
+    fn of(&self, span: Span) -> Option<&str> {
+        let start = span.start.checked_sub(self.offset)?;
+        self.text.get(start..span.end.checked_sub(self.offset)?)
+    }
+
+    /// The places where two displays of the same structure differ; none for another structure.
+    fn display(
+        &self,
+        printed: &Display,
+        corrected: &Display,
+        found: &mut Vec<Replaced>,
+    ) -> Option<()> {
+        if printed.clauses.len() != corrected.clauses.len() {
+            return None;
+        }
+        for (old, new) in printed.clauses.iter().zip(&corrected.clauses) {
+            let same = old.heading == new.heading && old.remark == new.remark;
+            if !same || old.ranges != new.ranges {
+                return None;
+            }
+            self.chain(&old.chain, &new.chain, found)?;
+        }
+        Some(())
+    }
+
+    fn chain(&self, old: &Chain, new: &Chain, found: &mut Vec<Replaced>) -> Option<()> {
+        if old.relations != new.relations || old.members.len() != new.members.len() {
+            return None;
+        }
+        for (old, new) in old.members.iter().zip(&new.members) {
+            self.expression(old, new, found)?;
+        }
+        Some(())
+    }
+
+    fn expression(&self, old: &Expr, new: &Expr, found: &mut Vec<Replaced>) -> Option<()> {
+        if old == new {
+            return Some(());
+        }
+        let (inner, new_inner) = (children(old), children(new));
+        match (&old.kind, &new.kind) {
+            (
+                ExprKind::Underbrace { body, label },
+                ExprKind::Underbrace {
+                    body: new_body,
+                    label: new_label,
+                },
+            ) => {
+                self.expression(body, new_body, found)?;
+                return self.chain(label, new_label, found);
+            }
+            // The measure of an integral.
+            (
+                ExprKind::Integral { variable, .. },
+                ExprKind::Integral {
+                    variable: other, ..
+                },
+            ) if inner == new_inner => {
+                let name = canonical(variable);
+                let at = self.of(old.span)?.trim_end().strip_suffix(&name)?.len();
+                let start = old.span.start + at;
+                found.push(Replaced {
+                    span: Span::new(start, start + name.len()),
+                    marked: [underline(&name), underline(&canonical(other))],
+                    plain: canonical(other),
+                });
+                return Some(());
+            }
+            // Divided as a whole: a factor in front.
+            (
+                _,
+                ExprKind::Quotient {
+                    numerator,
+                    denominator,
+                    ..
+                },
+            ) if **numerator == *old && !matches!(old.kind, ExprKind::Sum(_)) => {
+                let text = self.of(old.span)?.to_string();
+                let below = write_expr(denominator);
+                found.push(Replaced {
+                    span: old.span,
+                    plain: format!("\\frac{{{text}}}{{{below}}}"),
+                    marked: [
+                        text.clone(),
+                        format!("{} {text}", underline(&format!("\\frac{{1}}{{{below}}}"))),
+                    ],
+                });
+                return Some(());
+            }
+            _ => {}
+        }
+        if inner.is_empty() || inner.len() != new_inner.len() || shell(old) != shell(new) {
+            found.push(Replaced {
+                span: self.without_script(old)?,
+                marked: marked(old, new),
+                plain: write_expr(new),
+            });
+            return Some(());
+        }
+        let is_product = matches!(old.kind, ExprKind::Product(_));
+        for (old, new) in inner.into_iter().zip(new_inner) {
+            let before = found.len();
+            self.expression(old, new, found)?;
+            // A factor that becomes one is left out.
+            let one = ExprKind::Number(BigRational::one());
+            if let [only] = &mut found[before..]
+                && is_product
+                && new.kind == one
+            {
+                only.marked[1].clear();
+            }
+        }
+        Some(())
+    }
+
+    /// The place of an expression; that of a name reaches over the T of its transpose.
+    fn without_script(&self, expr: &Expr) -> Option<Span> {
+        let text = self.of(expr.span)?;
+        let cut = ["^T", "^t", "^{T}", "^{t}"]
+            .iter()
+            .find(|t| text.ends_with(**t));
+        Some(match (cut, &expr.kind) {
+            (Some(cut), ExprKind::Name(_)) => Span::new(expr.span.start, expr.span.end - cut.len()),
+            _ => expr.span,
+        })
+    }
+
+    /// The LaTeX with other texts in these places.
+    fn spliced<'r>(
+        &self,
+        places: &'r [Replaced],
+        text: impl Fn(&'r Replaced) -> &'r String,
+    ) -> Option<String> {
+        let mut all: Vec<(usize, usize, &str)> = Vec::new();
+        for place in places {
+            let start = place.span.start.checked_sub(self.offset)?;
+            all.push((start, place.span.end.checked_sub(self.offset)?, text(place)));
+        }
+        all.sort_by_key(|(start, ..)| *start);
+        let letter = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphabetic());
+        let mut out = String::new();
+        let mut at = 0;
+        for (start, end, text) in all {
+            out += self.text.get(at..start)?;
+            if out.trim_end().ends_with(['^', '_']) {
+                out += &format!("{{{text}}}");
+            } else {
+                // A control word must not swallow a letter.
+                if letter(out.chars().last()) && letter(text.chars().next()) {
+                    out.push(' ');
+                }
+                out += text;
+                if letter(text.chars().last()) && letter(self.text.get(end..)?.chars().next()) {
+                    out.push(' ');
+                }
+            }
+            at = end;
+        }
+        out += self.text.get(at..)?;
+        Some(out.trim().to_string())
+    }
+}
+
+fn underline(text: &str) -> String {
+    format!("\\underline{{{text}}}")
 }
 
 fn compare(pair: [&Expr; 2], paths: [Path; 2], found: &mut [Vec<Path>; 2]) {

@@ -1,6 +1,7 @@
 //! The sheet in Markdown, with formulas as code hosts render them.
 
-use super::{Erratum, Sheet};
+use super::{Erratum, Sentence, Sheet};
+use crate::document::Source;
 use crate::report::prose::{Piece, Prose};
 
 /// All sheets, one after the other.
@@ -32,22 +33,32 @@ fn sheet(sheet: &Sheet) -> String {
         }
     }
     if !sheet.unwritten.is_empty() {
-        out += "\n## Relations that are used and not written\n\n";
+        out += "\n## What is used and not written\n\n";
         for unwritten in &sheet.unwritten {
             out += &format!(
-                "- {} for {}\n",
+                "- {} for {}",
                 words(&unwritten.relations),
                 unwritten.equations.join(", ")
             );
+            out += &match &unwritten.note {
+                Some(note) => format!(". {}\n", words(note)),
+                None => "\n".into(),
+            };
         }
     }
-    if !sheet.sentences.is_empty() {
-        out += "\n## Sentences\n";
-        for sentence in &sheet.sentences {
-            out += &format!("\n> {}\n\n", escape(&sentence.text));
-            for fact in &sentence.facts {
-                out += &format!("- {}\n", words(fact));
-            }
+    for (title, sentences) in sheet.groups() {
+        if sentences.is_empty() {
+            continue;
+        }
+        out += &format!("\n## {title}\n");
+        for one in sentences {
+            out += &sentence(one);
+        }
+    }
+    if !sheet.remarks.is_empty() {
+        out += "\n## Notation\n\n";
+        for remark in &sheet.remarks {
+            out += &format!("- {}\n", words(remark));
         }
     }
     out
@@ -60,28 +71,59 @@ fn erratum(one: &Erratum) -> String {
         out += "\nShould read:\n\n";
         out += &display(corrected);
     }
-    out += &format!("\n- Correction: {}.\n", words(&one.correction));
-    if !one.why.is_empty() {
-        out += &format!("- Why: {}.\n", words(&one.why));
+    out.push('\n');
+    for (title, lines) in [
+        ("Correction", &one.corrections),
+        ("Why", &one.why),
+        ("Effect", &one.effects),
+    ] {
+        for line in lines {
+            out += &format!("- {title}: {}.\n", words(line));
+        }
     }
-    if let Some(effect) = &one.effect {
-        out += &format!("- Effect: {}.\n", words(effect));
+    out + &origin(&one.source) + &note(&one.note)
+}
+
+fn sentence(one: &Sentence) -> String {
+    let place = match &one.place {
+        Some(place) => format!(" ({})", words(place)),
+        None => String::new(),
+    };
+    let mut out = format!("\n> {}{place}\n\n", words(&one.text));
+    if let Some(reads) = &one.reads {
+        out += &format!("Should read:\n\n> {}\n\n", words(reads));
     }
-    if let Some((source, because)) = &one.source {
-        let because = match because.is_empty() {
-            true => String::new(),
-            false => format!(": {}", escape(because)),
-        };
-        out += &format!("- Likelier the {}'s{because}\n", source.as_str());
+    if let Some((printed, corrected)) = &one.formula {
+        out += &format!("As a formula:\n\n{}\n", display(printed));
+        if let Some(corrected) = corrected {
+            out += &format!("It should be:\n\n{}\n", display(corrected));
+        }
     }
-    if let Some(note) = &one.note {
-        out += &format!("- Note: {}\n", escape(note));
+    for fact in &one.facts {
+        out += &format!("- {}.\n", words(&fact.clone().capitalised()));
     }
-    out
+    out + &origin(&one.source) + &note(&one.note)
+}
+
+fn origin(source: &Option<(Source, Prose)>) -> String {
+    match source {
+        None => String::new(),
+        Some((source, because)) if because.is_empty() => {
+            format!("- Likelier the {}'s\n", source.as_str())
+        }
+        Some((source, because)) => {
+            format!("- Likelier the {}'s: {}\n", source.as_str(), words(because))
+        }
+    }
+}
+
+fn note(note: &Option<Prose>) -> String {
+    note.as_ref()
+        .map_or_else(String::new, |note| format!("- Note: {}\n", words(note)))
 }
 
 fn display(latex: &str) -> String {
-    format!("```math\n{latex}\n```\n")
+    format!("```math\n{}\n```\n", latex.trim())
 }
 
 fn words(prose: &Prose) -> String {

@@ -11,7 +11,7 @@ use super::escape::{code, escape};
 const HARMLESS: &str = " alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota \
     kappa lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega \
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ell hbar frac tfrac dfrac sum int \
-    infty underbrace partial ldots dots cdots cdot times prime top ne neq lt gt le leq ge geq sim \
+    infty underbrace underline partial ldots dots cdots cdot times prime top ne neq lt gt le leq ge geq sim \
     approx to rightarrow longrightarrow det Re Im cos sin exp ln log sqrt mathbf boldsymbol \
     mathcal mathbb tilde widetilde hat widehat bar overline vec dot ddot dddot ddddot mathrm \
     operatorname mathsf displaystyle textstyle scriptstyle limits nolimits big Big bigg Bigg bigl \
