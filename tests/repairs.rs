@@ -180,3 +180,42 @@ fn a_correction_that_says_nothing_is_none() {
         panic!("{written:?}");
     }
 }
+
+/// Long sums, matrices and definitions, so that every stage of the search has much to sift.
+const LONG: &str = r#"# Long
+```toml symbols
+a = { positive = true, meaning = "a number" }
+b = { positive = true, meaning = "a number" }
+c = { positive = true, meaning = "a number" }
+d = { positive = true, meaning = "a number" }
+```
+```math 1 define
+s = \frac{ab + c^2}{c + d} + \frac{a^2 - 2bd}{b + d}, \quad
+\mathbf{M} = \begin{bmatrix} a & b \\ c & s \end{bmatrix}
+```
+```math 2 claim
+s = \frac{7ab^3 - 11c^2}{13c + d^2} + \frac{a^2 - 5bd}{b + 3d} - \frac{17a}{bcd} + 3ab - 2cd + 5ac
+```
+```math 3 claim
+\mathbf{M}\mathbf{M} = \begin{bmatrix} a^2 + bc & ab + bs \\ ac + sc & bc + 7s^3d \end{bmatrix} + \mathbf{M}^3
+```
+```math 4 claim
+s(c + d)(b + d) = (ab + c^2)(b + d) + (a^2 + 2bd)(c + d)
+```
+"#;
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let found = |threads: usize| {
+        let options = Options {
+            candidates: 300_000,
+            threads,
+            ..Options::default()
+        };
+        format!("{:?}", audit(LONG, options).outcomes)
+    };
+    let one = found(1);
+    assert!(one.contains("tried: 300000") || one.contains("budget: 300000"));
+    assert_eq!(one, found(2));
+    assert_eq!(one, found(5));
+}

@@ -44,6 +44,8 @@ pub struct Options {
     pub repair: bool,
     /// The largest number of candidates that the search looks at for one link.
     pub candidates: usize,
+    /// How many threads sift candidates; the results do not depend on it.
+    pub threads: usize,
 }
 
 impl Default for Options {
@@ -51,6 +53,7 @@ impl Default for Options {
         Options {
             repair: true,
             candidates: 2_000_000,
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
         }
     }
 }

@@ -41,7 +41,10 @@ impl Bench<'_, '_> {
         let (e, l) = mutant.at;
         let stale = self.stale(values_of(self.model, e).into_iter().map(|(node, _)| node));
         // The search leaves its correction in place: it works on a twin.
-        let mut searching = self.checkers[0].twin(check::Options::default());
+        let mut searching = self.checkers[0].twin(check::Options {
+            threads: 1,
+            ..check::Options::default()
+        });
         searching.put_in_place(e, mutant.display.clone(), &stale);
         let correction = searching.correction(e, l);
         drop(searching);

@@ -10,6 +10,7 @@ use super::super::edit::{self, Replacement};
 use super::super::identity::Decision;
 use super::super::sides::sides_of;
 use super::images::SplitMix;
+use super::parallel::{Blocks, Seed};
 use super::store::same;
 use super::{Found, described};
 use crate::domain::{PRIME, PrimeField};
@@ -24,8 +25,63 @@ use std::collections::{BTreeMap, BTreeSet};
 /// How many edited definitions are evaluated: each costs everything that rests on it.
 const EDITED: usize = 4_000;
 
+/// From how many on they are tried on several threads.
+const MANY: usize = 200;
+
 /// A claim: an equation and one of its links.
 type Claim = (usize, Link);
+
+/// Where edited definitions are tried.
+struct Bench<'m> {
+    checker: Checker<'m>,
+    evaluator: Evaluator<'m, PrimeField>,
+    /// For each definition the claims that rest on it.
+    claims: BTreeMap<usize, Vec<Claim>>,
+}
+
+impl<'m> Bench<'m> {
+    fn new(checker: Checker<'m>) -> Self {
+        Bench {
+            evaluator: checker.native(),
+            checker,
+            claims: BTreeMap::new(),
+        }
+    }
+
+    /// Whether a false claim is true with an edited definition, and with it every claim that rests
+    /// on that definition.
+    fn mends(&mut self, claim: &Claim, (definition, edit): &(usize, Replacement)) -> bool {
+        let printed = self.checker.exact.display(*definition).clone();
+        let mut corrected = printed.clone();
+        if !edit.apply(&mut corrected) {
+            return false;
+        }
+        self.evaluator.correct(*definition, corrected);
+        let own = self.checker.exact.display(claim.0).clone();
+        let mends = self.holds(claim, &own) && {
+            let resting = match self.claims.get(definition) {
+                Some(resting) => resting.clone(),
+                None => {
+                    let resting = self.checker.resting_on(*definition);
+                    self.claims.insert(*definition, resting.clone());
+                    resting
+                }
+            };
+            // As printed: what was corrected before may be true without.
+            let model = self.checker.model;
+            let holds = |claim: &Claim| self.holds(claim, &model.equations[claim.0].display);
+            // One claim alone is as well mended where it stands.
+            resting.len() > 1 && resting.iter().all(holds)
+        };
+        self.evaluator.correct(*definition, printed);
+        mends
+    }
+
+    fn holds(&mut self, claim: &Claim, display: &Display) -> bool {
+        let sides = sides_of(&mut self.evaluator, display, &claim.1, Span::default());
+        sides.is_ok_and(|pairs| !pairs.is_empty() && pairs.iter().all(|(_, l, r)| same(l, r)))
+    }
+}
 
 impl<'m> Checker<'m> {
     /// The cheapest single edit of a definition that makes a false link true, and with it every
@@ -51,47 +107,49 @@ impl<'m> Checker<'m> {
             candidates.extend(singles.into_iter().map(|r| (definition, r)));
         }
         candidates.sort_by_key(|(_, replacement)| replacement.cost);
-        let mut evaluator = self.native();
-        let display_of = |checker: &Self, e: usize| checker.exact.display(e).clone();
-        let mut claims: BTreeMap<usize, Vec<Claim>> = BTreeMap::new();
-        let mut passing: Vec<(usize, Replacement)> = Vec::new();
-        for (definition, replacement) in candidates.into_iter().take(EDITED) {
-            if tried >= budget {
-                break;
+        candidates.truncate(EDITED.min(budget.saturating_sub(tried)));
+        let seed = Seed::of(self);
+        let claim = (equation, *link);
+        let start = || Bench::new(seed.checker());
+        let judge = |bench: &mut Bench<'m>, k: usize| bench.mends(&claim, &candidates[k]);
+        let threads = match candidates.len() {
+            0..MANY => 1,
+            _ => self.options.threads,
+        };
+        let blocks = |units| Blocks {
+            units,
+            size: 16,
+            threads,
+        };
+        // Up to the first that passes, then the others at its cost.
+        let first = blocks(candidates.len()).run(
+            1,
+            start,
+            |bench, range| range.map(|k| judge(bench, k)).collect::<Vec<bool>>(),
+            |mends| usize::from(mends.contains(&true)),
+        );
+        let mut mends: Vec<bool> = first.concat();
+        if let Some(k) = mends.iter().position(|m| *m) {
+            let cost = candidates[k].1.cost;
+            let end = candidates.partition_point(|(_, r)| r.cost <= cost);
+            let done = mends.len();
+            mends.truncate(end);
+            if done < end {
+                let rest = blocks(end - done).run(
+                    usize::MAX,
+                    start,
+                    |bench, range| range.map(|k| judge(bench, done + k)).collect::<Vec<bool>>(),
+                    |_| 0,
+                );
+                mends.extend(rest.concat());
             }
-            if passing
-                .first()
-                .is_some_and(|(_, r)| r.cost < replacement.cost)
-            {
-                break;
-            }
-            tried += 1;
-            let printed = display_of(self, definition);
-            let mut corrected = printed.clone();
-            if !replacement.apply(&mut corrected) {
-                continue;
-            }
-            evaluator.correct(definition, corrected);
-            let mut holds = |claim: &Claim, display: &Display| {
-                let sides = sides_of(&mut evaluator, display, &claim.1, Span::default());
-                sides.is_ok_and(|pairs| {
-                    !pairs.is_empty() && pairs.iter().all(|(_, l, r)| same(l, r))
-                })
-            };
-            if holds(&(equation, *link), &display_of(self, equation)) {
-                let resting = claims
-                    .entry(definition)
-                    .or_insert_with(|| self.resting_on(definition));
-                // As printed: what was corrected before may be true without.
-                let printed = |e: usize| &self.model.equations[e].display;
-                let all = resting.iter().all(|claim| holds(claim, printed(claim.0)));
-                // One claim alone is as well mended where it stands.
-                if all && resting.len() > 1 {
-                    passing.push((definition, replacement));
-                }
-            }
-            evaluator.correct(definition, printed);
         }
+        tried += mends.len();
+        let judged = candidates.into_iter().zip(mends);
+        let passing: Vec<(usize, Replacement)> = judged
+            .filter(|(_, mends)| *mends)
+            .map(|(candidate, _)| candidate)
+            .collect();
         let mut proved = Vec::new();
         for (definition, replacement) in passing {
             let printed = self.exact.display(definition).clone();

@@ -6,13 +6,15 @@
 //! true as a formula passes, a false one passes with negligible probability, and what passes is
 //! then proved over the rational functions like any other claim.
 //!
-//! The number of candidates is bounded, and no clock decides.
+//! The number of candidates is bounded, and no clock decides. The candidates are sifted on several
+//! threads; how many changes nothing but the time.
 
 mod definitions;
 mod evaluators;
 mod images;
 mod needed;
 mod pairs;
+mod parallel;
 mod rejected;
 mod sites;
 mod solved;

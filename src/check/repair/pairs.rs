@@ -16,6 +16,7 @@ use crate::evaluate::Value;
 use crate::expr::Expr;
 use crate::span::Span;
 use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 /// Pairs that are evaluated one by one are so many times dearer than those that are looked up.
 const DEARER: usize = 50;
@@ -24,7 +25,7 @@ const DEARER: usize = 50;
 const FOUND: usize = 5_000;
 
 /// The edits at each place by the value that they put there.
-struct Table {
+pub(super) struct Table {
     by_value: HashMap<(usize, Vec<u64>), Vec<usize>>,
     /// How many edits each place has.
     sizes: Vec<usize>,
@@ -38,54 +39,31 @@ impl Trial<'_, '_> {
         if !self.fast {
             return Vec::new();
         }
-        let table = self.table(singles);
+        let seconds = |trial: &mut Trial<'_, '_>, i: usize| trial.seconds(singles, i);
+        let left = self.limit.saturating_sub(self.tried);
+        let results = self.each(singles.len(), left, seconds, |(_, looked_at)| *looked_at);
         let mut found: Vec<Candidate> = Vec::new();
-        for (i, one) in singles.iter().enumerate() {
-            if self.tried >= self.limit || found.len() >= FOUND {
+        for (i, (hits, looked_at)) in results.into_iter().enumerate() {
+            if found.len() >= FOUND {
                 break;
             }
-            let display = edited(self.display, std::slice::from_ref(one));
-            let places = [self.link.left, self.link.right];
-            let exprs = places.map(|p| p.find(&display));
-            let [Some(left), Some(right)] = exprs else {
-                continue;
-            };
-            let ids = [self.store.node(left), self.store.node(right)];
-            let values = ids.map(|id| self.store.value(id, self.env));
-            for (side, place) in places.into_iter().enumerate() {
-                let (Some(needed), Some(expr)) =
-                    (values[1 - side].value(), places[side].find(&display))
-                else {
-                    continue;
-                };
-                let (mut hits, mut looked_at) = (Vec::new(), 0);
-                let mut walk = Walk { trial: self };
-                let mut address = Address::of_side(place);
-                let needed = [needed.clone()];
-                walk.visit(
-                    expr,
-                    &mut address,
-                    &needed,
-                    &mut |expr, id, address, needed| {
-                        looked_at += table.look_up(expr, id, address, needed, &mut hits);
-                    },
-                );
-                self.tried += looked_at;
-                for (address, j) in hits {
-                    let two = &singles[j];
-                    if i == j {
-                        continue;
-                    }
-                    let second = Replacement {
-                        address,
-                        ..two.clone()
-                    };
-                    found.push(Candidate {
-                        steps: vec![one.clone(), second],
-                        cost: one.cost + two.cost + SECOND_SLIP,
-                    });
-                }
-            }
+            self.tried += looked_at;
+            let one = &singles[i];
+            found.extend(
+                hits.into_iter()
+                    .filter(|(_, j)| *j != i)
+                    .map(|(address, j)| {
+                        let two = &singles[j];
+                        let second = Replacement {
+                            address,
+                            ..two.clone()
+                        };
+                        Candidate {
+                            steps: vec![one.clone(), second],
+                            cost: one.cost + two.cost + SECOND_SLIP,
+                        }
+                    }),
+            );
         }
         self.one_by_one(singles, &mut found);
         found.sort_by_key(|candidate| candidate.cost);
@@ -94,7 +72,45 @@ impl Trial<'_, '_> {
         self.sifted(found, Vec::new())
     }
 
-    fn table(&mut self, singles: &[Replacement]) -> Table {
+    /// With one edit made, the edits that do in its place or another, and how many were looked at.
+    fn seconds(&mut self, singles: &[Replacement], i: usize) -> (Vec<(Address, usize)>, usize) {
+        let table = match &self.table {
+            Some(table) => Rc::clone(table),
+            None => {
+                let table = Rc::new(self.tabulate(singles));
+                self.table = Some(Rc::clone(&table));
+                table
+            }
+        };
+        let (mut hits, mut looked_at) = (Vec::new(), 0);
+        let display = edited(self.display, std::slice::from_ref(&singles[i]));
+        let places = [self.link.left, self.link.right];
+        let exprs = places.map(|p| p.find(&display));
+        let [Some(left), Some(right)] = exprs else {
+            return (hits, looked_at);
+        };
+        let ids = [self.store.node(left), self.store.node(right)];
+        let values = ids.map(|id| self.store.value(id, self.env));
+        for (side, (place, expr)) in places.into_iter().zip([left, right]).enumerate() {
+            let Some(needed) = values[1 - side].value() else {
+                continue;
+            };
+            let mut walk = Walk { trial: self };
+            let mut address = Address::of_side(place);
+            let needed = [needed.clone()];
+            walk.visit(
+                expr,
+                &mut address,
+                &needed,
+                &mut |expr, id, address, needed| {
+                    looked_at += table.look_up(expr, id, address, needed, &mut hits);
+                },
+            );
+        }
+        (hits, looked_at)
+    }
+
+    fn tabulate(&mut self, singles: &[Replacement]) -> Table {
         let mut table = Table {
             by_value: HashMap::new(),
             sizes: vec![0; self.spots.len()],
@@ -131,24 +147,23 @@ impl Trial<'_, '_> {
                 spot.is_some_and(|s| !reached.contains(s))
             })
             .collect();
-        for (k, one) in apart.iter().enumerate() {
-            for two in &apart[k + 1..] {
-                if self.tried.saturating_add(DEARER) > self.limit || found.len() >= FOUND {
-                    return;
-                }
-                if one.address.is_nested_with(&two.address) {
-                    continue;
-                }
-                self.tried += DEARER;
-                let candidate = Candidate {
-                    steps: vec![(*one).clone(), (*two).clone()],
-                    cost: one.cost + two.cost + SECOND_SLIP,
-                };
-                if self.agrees(&candidate) {
-                    found.push(candidate);
-                }
-            }
-        }
+        let left = self.limit.saturating_sub(self.tried) / DEARER;
+        let pairs: Vec<Candidate> = apart
+            .iter()
+            .enumerate()
+            .flat_map(|(k, one)| apart[k + 1..].iter().map(move |two| (*one, *two)))
+            .filter(|(one, two)| !one.address.is_nested_with(&two.address))
+            .take(left)
+            .map(|(one, two)| Candidate {
+                steps: vec![one.clone(), two.clone()],
+                cost: one.cost + two.cost + SECOND_SLIP,
+            })
+            .collect();
+        let agree = |trial: &mut Trial<'_, '_>, k: usize| trial.agrees(&pairs[k]);
+        let agree = self.each(pairs.len(), usize::MAX, agree, |_| 0);
+        self.tried += DEARER * pairs.len();
+        let agreeing = pairs.into_iter().zip(agree).filter(|(_, agrees)| *agrees);
+        found.extend(agreeing.map(|(pair, _)| pair));
     }
 
     /// The places of the printed sides that have a needed value.

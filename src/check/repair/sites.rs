@@ -2,6 +2,8 @@
 //! to the side.
 
 use super::evaluators::{ExactFilter, Passing, passes};
+use super::pairs::Table;
+use super::parallel::{Blocks, Seed};
 use super::store::{Env, Id, Residue, Shape, Store, same};
 use super::{Candidate, edited};
 use crate::check::edit::{Address, Replacement, sites};
@@ -10,6 +12,7 @@ use crate::expr::{Display, Expr, ExprKind};
 use crate::latex;
 use crate::model::links::{Link, Place};
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// A subexpression of the printed sides.
 pub(super) struct Spot {
@@ -32,6 +35,10 @@ pub(super) struct Trial<'r, 'm> {
     pub fast: bool,
     functions: bool,
     exact: Option<ExactFilter<'m>>,
+    seed: Seed<'m>,
+    threads: usize,
+    /// For pairs: what each edit puts at its place.
+    pub table: Option<Rc<Table>>,
     pub tried: usize,
     pub limit: usize,
     /// Whether both sides as printed are zero.
@@ -40,6 +47,12 @@ pub(super) struct Trial<'r, 'm> {
 
 /// How many candidates the slow filter looks at.
 const SLOW: usize = 20_000;
+
+/// From how many units on threads are worth their evaluators.
+const MANY: usize = 1_000;
+
+/// How many units a thread takes at a time.
+const BLOCK: usize = 64;
 
 impl<'r, 'm> Trial<'r, 'm> {
     pub fn new(
@@ -96,6 +109,14 @@ impl<'r, 'm> Trial<'r, 'm> {
             fast: bounds.is_some() && !constant_or_cases(display, link),
             functions,
             exact: functions.then(|| ExactFilter::new(checker)),
+            seed: Seed::of(checker),
+            // The images of functions depend on the order in which they are met.
+            threads: if functions {
+                1
+            } else {
+                checker.options.threads
+            },
+            table: None,
             tried: 0,
             limit,
             zero: false,
@@ -194,21 +215,69 @@ impl<'r, 'm> Trial<'r, 'm> {
         sides
     }
 
-    /// Of some candidates, those that are not ruled out.
-    pub fn passing(&mut self, candidates: Vec<Candidate>) -> Vec<Candidate> {
+    /// What `work` says of each of some units, on several threads where there are many of them; no
+    /// more units once what they have `spent` together reaches a bound.
+    pub fn each<R: Send>(
+        &mut self,
+        units: usize,
+        left: usize,
+        work: impl Fn(&mut Trial<'_, 'm>, usize) -> R + Sync,
+        spent: impl Fn(&R) -> usize + Sync,
+    ) -> Vec<R> {
+        if self.threads < 2 || units < MANY {
+            let mut found = Vec::new();
+            let mut sum = 0;
+            for unit in 0..units {
+                if sum >= left {
+                    break;
+                }
+                let result = work(self, unit);
+                sum += spent(&result);
+                found.push(result);
+            }
+            return found;
+        }
+        let (display, link, limit, seed) = (self.display, self.link, self.limit, &self.seed);
+        let blocks = Blocks {
+            units,
+            size: BLOCK,
+            threads: self.threads,
+        };
+        let start = || Trial::new(&seed.checker(), display, link, limit);
+        let results = blocks.run(
+            left,
+            start,
+            |trial, range| range.map(|unit| work(trial, unit)).collect::<Vec<R>>(),
+            |results| results.iter().map(&spent).sum(),
+        );
+        let mut sum = 0;
         let mut found = Vec::new();
-        let mut unknown = Vec::new();
-        for candidate in candidates {
-            if self.tried >= self.limit {
+        for result in results.into_iter().flatten() {
+            if sum >= left {
                 break;
             }
-            self.tried += 1;
-            let verdict = if self.fast && !self.touches_elsewhere(&candidate) {
-                let sides = self.edited_sides(&candidate.steps);
-                self.compare(sides, self.env)
-            } else {
-                None
-            };
+            sum += spent(&result);
+            found.push(result);
+        }
+        found
+    }
+
+    /// Of some candidates, those that are not ruled out.
+    pub fn passing(&mut self, candidates: Vec<Candidate>) -> Vec<Candidate> {
+        let left = self.limit.saturating_sub(self.tried);
+        let judge = |trial: &mut Trial<'_, 'm>, k: usize| {
+            let candidate: &Candidate = &candidates[k];
+            if !trial.fast || trial.touches_elsewhere(candidate) {
+                return None;
+            }
+            let sides = trial.edited_sides(&candidate.steps);
+            trial.compare(sides, trial.env)
+        };
+        let verdicts = self.each(candidates.len(), left, judge, |_| 1);
+        self.tried += verdicts.len();
+        let mut found = Vec::new();
+        let mut unknown = Vec::new();
+        for (candidate, verdict) in candidates.into_iter().zip(verdicts) {
             match verdict {
                 Some(true) => found.push(candidate),
                 Some(false) => {}
@@ -235,12 +304,23 @@ impl<'r, 'm> Trial<'r, 'm> {
     pub fn sifted(&mut self, found: Vec<Candidate>, unknown: Vec<Candidate>) -> Vec<Candidate> {
         let mut passing = Vec::new();
         let mut open = Vec::new();
-        for candidate in found.into_iter().chain(unknown.into_iter().take(SLOW)) {
-            let display = edited(self.display, &candidate.steps);
-            let evaluator = &mut self.store.evaluator;
-            match passes(evaluator, self.functions, &display, self.link) {
+        let candidates: Vec<Candidate> = found
+            .into_iter()
+            .chain(unknown.into_iter().take(SLOW))
+            .collect();
+        let judge = |trial: &mut Trial<'_, 'm>, k: usize| {
+            let display = edited(trial.display, &candidates[k].steps);
+            let evaluator = &mut trial.store.evaluator;
+            passes(evaluator, trial.functions, &display, trial.link)
+        };
+        let verdicts = self.each(candidates.len(), usize::MAX, judge, |_| 0);
+        for (candidate, verdict) in candidates.into_iter().zip(verdicts) {
+            match verdict {
                 Passing::Agrees => passing.push(candidate),
-                Passing::Unknown => open.push((candidate, display)),
+                Passing::Unknown => {
+                    let display = edited(self.display, &candidate.steps);
+                    open.push((candidate, display));
+                }
                 Passing::Differs => {}
             }
         }

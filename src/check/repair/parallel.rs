@@ -1,0 +1,155 @@
+//! The sift on several threads.
+//!
+//! Each thread has evaluators of its own. Blocks of candidates have a fixed size, and what comes of
+//! them is put together in their order, so that the number of threads changes nothing but the time.
+
+use crate::check::{Checker, Options};
+use crate::domain::Symbolic;
+use crate::evaluate::Evaluator;
+use crate::expr::Display;
+use crate::model::Model;
+use crate::stack::with_deep_stack;
+use ratpoly::RationalFunction;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What a thread needs for a checker of its own.
+pub(super) struct Seed<'m> {
+    model: &'m Model,
+    field: Symbolic,
+    letters: Vec<RationalFunction>,
+    corrections: Vec<(usize, Display)>,
+    instance: usize,
+    options: Options,
+    inserted: BTreeMap<usize, RationalFunction>,
+}
+
+impl<'m> Seed<'m> {
+    pub fn of(checker: &Checker<'m>) -> Self {
+        let corrections = checker.exact.corrections();
+        Seed {
+            model: checker.model,
+            field: checker.exact.field.clone(),
+            letters: checker.exact.letters().to_vec(),
+            corrections: corrections.map(|(e, d)| (*e, d.clone())).collect(),
+            instance: checker.instance,
+            options: checker.options,
+            inserted: checker.inserted.clone(),
+        }
+    }
+
+    /// A checker that has computed nothing yet.
+    pub fn checker(&self) -> Checker<'m> {
+        let letters = self.letters.clone();
+        let mut exact =
+            Evaluator::new(self.model, self.field.clone(), letters).in_instance(self.instance);
+        for (equation, display) in &self.corrections {
+            exact.correct(*equation, display.clone());
+        }
+        Checker {
+            model: self.model,
+            exact,
+            instance: self.instance,
+            options: self.options,
+            inserted: self.inserted.clone(),
+            diagnostics: Vec::new(),
+            failure: None,
+        }
+    }
+}
+
+/// Blocks of so many units.
+#[derive(Clone, Copy)]
+pub(super) struct Blocks {
+    pub units: usize,
+    pub size: usize,
+    pub threads: usize,
+}
+
+impl Blocks {
+    fn range(&self, block: usize) -> Range<usize> {
+        block * self.size..((block + 1) * self.size).min(self.units)
+    }
+
+    /// The results of the first blocks, until what they have `spent` together reaches `limit`. Each
+    /// thread works with what `start` gives it.
+    pub fn run<S, R: Send>(
+        self,
+        limit: usize,
+        start: impl Fn() -> S + Sync,
+        work: impl Fn(&mut S, Range<usize>) -> R + Sync,
+        spent: impl Fn(&R) -> usize + Sync,
+    ) -> Vec<R> {
+        let blocks = self.units.div_ceil(self.size.max(1));
+        let results: Vec<Mutex<Option<R>>> = (0..blocks).map(|_| Mutex::new(None)).collect();
+        let (next, total) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let worker = || {
+            let mut state = start();
+            // Blocks are taken in order: what is done at any time are the first ones.
+            while total.load(Ordering::Relaxed) < limit {
+                let block = next.fetch_add(1, Ordering::Relaxed);
+                if block >= blocks {
+                    break;
+                }
+                let result = work(&mut state, self.range(block));
+                total.fetch_add(spent(&result), Ordering::Relaxed);
+                if let Ok(mut slot) = results[block].lock() {
+                    *slot = Some(result);
+                }
+            }
+        };
+        if self.threads < 2 {
+            worker();
+        } else {
+            std::thread::scope(|scope| {
+                for _ in 0..self.threads.clamp(1, blocks.max(1)) {
+                    scope.spawn(|| with_deep_stack(worker));
+                }
+            });
+        }
+        let done = results.into_iter().map(|slot| slot.into_inner().ok()?);
+        let mut found = Vec::new();
+        let mut sum = 0;
+        for result in done {
+            let Some(result) = result else { break };
+            if sum >= limit {
+                break;
+            }
+            sum += spent(&result);
+            found.push(result);
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_results_from_any_number_of_threads() {
+        let units: Vec<usize> = (0..1000).map(|k| k * k % 17).collect();
+        let run = |threads, limit| {
+            let blocks = Blocks {
+                units: units.len(),
+                size: 7,
+                threads,
+            };
+            blocks.run(
+                limit,
+                || (),
+                |(), range| units[range].to_vec(),
+                |found: &Vec<usize>| found.iter().sum(),
+            )
+        };
+        assert_eq!(run(1, usize::MAX).concat(), units);
+        for limit in [0, 1, 100, 5000, usize::MAX] {
+            let one = run(1, limit);
+            assert_eq!(one, run(2, limit));
+            assert_eq!(one, run(5, limit));
+        }
+        assert!(run(3, 0).is_empty());
+    }
+}
