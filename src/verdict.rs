@@ -156,6 +156,26 @@ pub struct Refutation {
     pub residual: Vec<ResidualEntry>,
     /// A point where the sides differ.
     pub witness: Option<Witness>,
+    /// Where it is true all the same, if it is false only on a part of its domain.
+    pub part: Option<Part>,
+}
+
+/// Where an equation or inequality is true that is false elsewhere.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Where all conditions of one of these lists hold.
+    Signs(Vec<Vec<SignCondition>>),
+    /// At least around this point.
+    Around(Vec<(usize, BigRational)>),
+}
+
+/// That a function is not negative, or not positive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SignCondition {
+    /// The function of the declared letters.
+    pub function: Polynomial,
+    /// Whether it is not positive.
+    pub negative: bool,
 }
 
 /// An operation in an equation whose operands' shapes do not fit.
@@ -273,8 +293,12 @@ pub enum Changed {
 pub enum Preferred {
     /// The units of the others do not fit.
     Units,
+    /// With it the matrices that a definition defines are symmetric, with the others not.
+    Symmetry,
     /// With it so many other links of the same equation hold, with the others fewer.
     OtherLinks(usize),
+    /// With it so many claims that rest on the equation hold, with the others fewer.
+    LaterClaims(usize),
 }
 
 /// A correction beside the first.

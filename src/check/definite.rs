@@ -14,7 +14,7 @@ use crate::matrix::Matrix;
 use crate::model::links::Link;
 use crate::model::{Letter, Node};
 use crate::theory::{characteristic, determinant, hurwitz};
-use crate::verdict::{PositiveBy, Positivity, Refutation, ResidualEntry, Verdict, Witness};
+use crate::verdict::{Part, PositiveBy, Positivity, Refutation, ResidualEntry, Verdict, Witness};
 use num_rational::BigRational;
 use num_traits::Zero;
 use ratpoly::{Bound, Budget, RationalFunction, Region, RegionSign, sign_of_quotient_on};
@@ -60,7 +60,12 @@ impl Checker<'_> {
                 }
                 sign => {
                     *positivity = None;
-                    return Verdict::Refuted(self.not_positive(value, &sign));
+                    let mut refutation = self.not_positive(value, &sign);
+                    // One of several conditions says little of where all hold.
+                    if signs.positive.len() > 1 {
+                        refutation.part = None;
+                    }
+                    return Verdict::Refuted(refutation);
                 }
             }
         }
@@ -306,13 +311,20 @@ impl Checker<'_> {
                 indices: Vec::new(),
             })
         });
+        // Where it changes its sign, the inequality is true on a part.
+        let part = match sign {
+            RegionSign::Changes { positive, .. } => expanded
+                .evaluate(positive)
+                .is_ok_and(|value| value > BigRational::zero())
+                .then(|| letters.iter().map(|l| (*l, positive[*l].clone())).collect())
+                .map(Part::Around),
+            _ => None,
+        };
         Refutation {
-            flaw: None,
-            searched: None,
-            missing: None,
-            misfit: None,
             residual: vec![entry],
             witness,
+            part,
+            ..Refutation::default()
         }
     }
 }

@@ -9,12 +9,17 @@ use super::edit::{Address, Replacement};
 use crate::evaluate::{Failure, FailureKind, Value};
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::{FunctionTable, Impossible};
-use crate::model::links::{Link, Place, children_mut};
+use crate::model::links::{Link, Place, children, children_mut};
 use crate::model::names::Resolved;
 use crate::theory::limit::{Limit, Towards, limit};
 use crate::verdict::{Changed, Correction, EditClass, Flaw, Refutation, ResidualEntry, Verdict};
-use num_traits::Zero;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 use ratpoly::RationalFunction;
+
+/// The powers of four at which a limit is looked at: on the way there, and much farther.
+const NEAR: usize = 6;
+const FAR: usize = 20;
 
 /// Where a display says that a letter goes.
 struct Approach {
@@ -198,6 +203,81 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether a statement about a limit looks true at points on the way there, as a second opinion
+    /// beside the verdict: what grows without bound grows, the integrand of an infinite integral falls
+    /// no faster than the reciprocal of its variable, and what has a limit comes closer to it. None
+    /// where nothing has a value at such points.
+    pub(crate) fn tends_at_points(&mut self, display: &Display, link: &Link) -> Option<bool> {
+        let left = link.left.find(display)?;
+        let right = link.right.find(display)?;
+        let infinite = right.kind == ExprKind::Infinity;
+        let Some(approach) = self.approach(display, link) else {
+            let (body, variable, ends) = infinite_integral(left)?;
+            let Ok(Resolved::Letter { symbol, order: 0 }) =
+                self.model.resolve(&variable, &|_| false)
+            else {
+                return None;
+            };
+            let grows = |checker: &mut Self, towards| {
+                let near = checker.at_point(&body, symbol, towards, NEAR)?;
+                let far = checker.at_point(&body, symbol, towards, FAR)?;
+                let [(near, at), (far, beyond)] = [near, far];
+                Some(near.is_positive() && far * beyond >= near * at)
+            };
+            let found: Vec<bool> = ends
+                .into_iter()
+                .filter_map(|end| grows(self, end))
+                .collect();
+            return (!found.is_empty()).then(|| found.contains(&true));
+        };
+        let mut moving = left.clone();
+        set_moving(&mut moving, &approach, &mut false);
+        let (near, _) = self.at_point(&moving, approach.symbol, approach.towards, NEAR)?;
+        let (far, _) = self.at_point(&moving, approach.symbol, approach.towards, FAR)?;
+        if infinite {
+            return Some(near.is_positive() && far > near);
+        }
+        let (there, _) = self.at_point(right, approach.symbol, approach.towards, FAR)?;
+        let (near, far) = ((near - &there).abs(), (far - &there).abs());
+        Some(far.is_zero() || far < near)
+    }
+
+    /// The value of an expression where a symbol is a power of four on its way to zero or to infinity
+    /// and all others are at the reference point, with the symbol's own value.
+    fn at_point(
+        &mut self,
+        expr: &Expr,
+        symbol: usize,
+        towards: Towards,
+        power: usize,
+    ) -> Option<(BigRational, BigRational)> {
+        let letter = self.model.letter_of_symbol(symbol, 0)?;
+        self.exact.cases_met = 0;
+        let value = self.exact.expression(expr);
+        let cases = std::mem::take(&mut self.exact.cases_met);
+        let Ok(Value::Scalar(value)) = value else {
+            return None;
+        };
+        if cases > 0 {
+            return None;
+        }
+        let value = self.spelt_out(&self.table(), &value)?;
+        let large = num_traits::pow(BigRational::from_integer(4.into()), power);
+        let at = match towards {
+            Towards::Zero => large.recip(),
+            Towards::Infinity => large,
+        };
+        let mut point: Vec<Option<BigRational>> =
+            self.reference_point().into_iter().map(Some).collect();
+        for (k, place) in point.iter_mut().enumerate() {
+            if self.is_function(k) {
+                *place = None;
+            }
+        }
+        point[letter] = Some(at.clone());
+        Some((self.value_at(&value, &point)?, at))
+    }
+
     /// The functions of the document, or none.
     fn table(&self) -> FunctionTable {
         let model = self.model;
@@ -238,6 +318,20 @@ impl Checker<'_> {
             _ => Vec::new(),
         }
     }
+}
+
+/// The integrand, the variable and the ends, zero or infinity, of the first integral.
+fn infinite_integral(expr: &Expr) -> Option<(Expr, Name, Vec<Towards>)> {
+    if let ExprKind::Integral {
+        limits: Some((from, to)),
+        body,
+        variable,
+    } = &expr.kind
+    {
+        let ends = [from, to].into_iter().filter_map(|end| towards(end));
+        return Some(((**body).clone(), variable.clone(), ends.collect()));
+    }
+    children(expr).into_iter().find_map(infinite_integral)
 }
 
 fn towards(expr: &Expr) -> Option<Towards> {

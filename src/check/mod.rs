@@ -13,6 +13,7 @@ mod hypotheses;
 mod identity;
 mod instances;
 mod limits;
+mod part;
 mod relations;
 mod repair;
 mod scope;
@@ -161,6 +162,7 @@ impl<'m> Checker<'m> {
         for equation in self.model.settling_order() {
             outcomes.extend(self.settle(equation));
         }
+        self.common_definitions(&mut outcomes);
         self.explained_by_definitions(&mut outcomes);
         let statements = self.statements();
         if !self.diagnostics.is_empty() {
@@ -442,9 +444,15 @@ impl<'m> Checker<'m> {
                 *certificate = self.certificate(not_identical, &by, Some(&given));
                 Verdict::HoldsGiven(Box::new(given))
             }
-            Ok(Decision::Refuted(refutation)) => {
-                self.repaired(equation, link, refutation, certificate)
-            }
+            Ok(Decision::Refuted(mut refutation)) => match self.part(&entries) {
+                // What it lacks is a hypothesis; an edit would be an invention.
+                Some((part, witness)) => {
+                    refutation.part = Some(part);
+                    refutation.witness = Some(witness);
+                    Verdict::Refuted(refutation)
+                }
+                None => self.repaired(equation, link, refutation, certificate),
+            },
             Ok(Decision::False(..)) => Verdict::Undecided {
                 reason: "the sides differ, and nothing shows where".into(),
             },
@@ -507,6 +515,10 @@ impl<'m> Checker<'m> {
                 self.exact.correct(equation, correction.display.clone());
                 if let Some((definition, display)) = &correction.definition {
                     self.exact.correct(*definition, display.clone());
+                }
+                let definitions = &self.model.definitions;
+                let defines = definitions.iter().any(|d| d.equation == equation);
+                if defines || correction.definition.is_some() {
                     // It was computed so before the correction was accepted.
                     let _ = self.insert_anew();
                 }

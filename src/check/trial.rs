@@ -291,14 +291,24 @@ impl<'m> Checker<'m> {
             _ => vec![Vec::new()],
         };
         let span = model.equations[*equation].span;
-        tuples
-            .into_iter()
-            .map(|tuple| {
-                let key = (Node::Definition(definition), tuple, 0);
-                let value = self.exact.value_of(key, span).ok()?;
-                self.expanded(value)
-            })
-            .collect()
+        let mut values = Vec::new();
+        for tuple in tuples {
+            let mut case = 0;
+            // What is defined by cases has a value in each.
+            loop {
+                (self.exact.case, self.exact.cases_met) = (case, 0);
+                let key = (Node::Definition(definition), tuple.clone(), 0);
+                let value = self.exact.value_of(key, span);
+                let cases = self.exact.cases_met;
+                (self.exact.case, self.exact.cases_met) = (0, 0);
+                values.push(self.expanded(value.ok()?)?);
+                case += 1;
+                if case >= cases {
+                    break;
+                }
+            }
+        }
+        Some(values)
     }
 
     /// What a `solve` block determines, all definitions inserted.

@@ -26,12 +26,9 @@ impl Checker<'_> {
             .filter(|e| e.left != e.right)
             .find_map(|e| self.reference_witness(e));
         Refutation {
-            flaw: None,
-            searched: None,
-            missing: None,
-            misfit: None,
             residual: open.iter().map(|e| (*e).clone()).collect(),
             witness,
+            ..Refutation::default()
         }
     }
 
@@ -46,14 +43,7 @@ impl Checker<'_> {
         self.exact.lenient = true;
         let entries = self.sides(equation, link);
         self.exact.lenient = false;
-        let mut refutation = Refutation {
-            flaw: None,
-            searched: None,
-            missing: None,
-            misfit: None,
-            residual: Vec::new(),
-            witness: None,
-        };
+        let mut refutation = Refutation::default();
         if let Ok(entries) = entries {
             let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
             let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
@@ -146,7 +136,7 @@ impl Checker<'_> {
         point
     }
 
-    fn witness_at(
+    pub(super) fn witness_at(
         &self,
         entry: &ResidualEntry,
         value: impl Fn(usize, usize) -> BigRational,
@@ -184,12 +174,8 @@ impl Refutation {
     /// The refutation by a failure whose shapes do not fit: there is no residual.
     pub(crate) fn of_misfit(failure: &Failure) -> Refutation {
         Refutation {
-            flaw: None,
-            searched: None,
-            missing: None,
             misfit: failure.misfit(),
-            residual: Vec::new(),
-            witness: None,
+            ..Refutation::default()
         }
     }
 }

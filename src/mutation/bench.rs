@@ -218,8 +218,8 @@ impl<'m, 'p> Bench<'m, 'p> {
         fate
     }
 
-    /// Whether the changed claims are inequalities that ask the same as before, or are true at points
-    /// as well.
+    /// Whether the changed claims are inequalities that ask the same as before, or these or limits are
+    /// true at points as well.
     fn inequality(
         &mut self,
         instance: usize,
@@ -236,6 +236,13 @@ impl<'m, 'p> Bench<'m, 'p> {
                 Some(under) => Some(under.ok()?),
             };
             let checker = under.as_mut().unwrap_or(checker);
+            if link.relation == Relation::Tends {
+                same = false;
+                if checker.tends_at_points(&mutant.display, link) != Some(true) {
+                    return None;
+                }
+                continue;
+            }
             let asked = checker.asked_positive(&mutant.display, link)?;
             let strict = matches!(link.relation, Relation::Greater | Relation::Less);
             if checker.asked_positive(&equation.display, link).as_ref() != Some(&asked) {

@@ -93,7 +93,8 @@ pub enum Equivalence {
     PrintsTheSame,
     /// Its values are the same once all definitions are inserted.
     SameValue,
-    /// It is an inequality that is proved as well, and is true at points chosen apart from the proof.
+    /// It is an inequality or a limit that is proved as well, and looks true at points chosen apart
+    /// from the proof.
     TrueAsWell,
 }
 
@@ -103,7 +104,7 @@ impl Equivalence {
         match self {
             Equivalence::PrintsTheSame => "prints the same",
             Equivalence::SameValue => "has the same value",
-            Equivalence::TrueAsWell => "another inequality that is true as well",
+            Equivalence::TrueAsWell => "another inequality or limit that is true as well",
         }
     }
 }

@@ -7,13 +7,14 @@ use crate::audit::Audit;
 use crate::check::effect::effect;
 use crate::comparison::{Comparison, Subject};
 use crate::inspection::Inspection;
+use crate::latex;
 use crate::paper::papers;
 use crate::report::formula::{Formulas, Script};
 use crate::report::ordered::Ordered;
-use crate::report::reason::{equation_of, reason};
+use crate::report::reason::{equation_of, preferred_as, reason, where_it_holds};
 use crate::standing::Standing;
 use crate::verdict::{
-    Because, Correction, Edit, Given, Outcome, Refutation, ResidualEntry, Verdict, Witness,
+    Because, Changed, Correction, Edit, Given, Outcome, Refutation, ResidualEntry, Verdict, Witness,
 };
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -123,7 +124,11 @@ struct Claim {
     instances: Vec<Ordered<usize>>,
     residual: Option<Vec<Residual>>,
     witness: Option<Point>,
+    /// Where it is true, if it is false only on a part of its domain.
+    holds_where: Option<String>,
     correction: Option<CorrectionText>,
+    /// How far a correction was looked for in vain.
+    searched: Option<SearchedText>,
     conditions: Vec<Condition>,
     certificate_verified: bool,
     /// How the floating-point route agrees, where it was asked.
@@ -168,8 +173,29 @@ struct CorrectionText {
     corrected: String,
     given: Option<Vec<String>>,
     only: bool,
+    /// How far-fetched it is: ten times the rank of each edit's class, and more for what is rarer.
+    cost: u32,
+    /// What was changed: a side, or the label of a definition.
+    changed: Vec<String>,
+    /// The corrected definition, where not the claim but what it rests on is changed.
+    definition: Option<DefinitionText>,
     alternatives: Vec<Vec<EditText>>,
+    /// Why this one and not the alternatives.
+    preferred: Option<&'static str>,
     tried: usize,
+    budget: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct SearchedText {
+    tried: usize,
+    budget: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct DefinitionText {
+    equation: String,
+    corrected: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -354,7 +380,14 @@ impl Writer<'_> {
             instances: self.instances(outcome),
             residual: self.residual(&outcome.verdict, refutation),
             witness: witness.map(|w| self.witness(w)),
+            holds_where: refutation
+                .and_then(|r| r.part.as_ref())
+                .map(|part| where_it_holds(&self.formulas, part).to_plain()),
             correction: correction.map(|c| self.correction(outcome, c)),
+            searched: refutation.and_then(|r| r.searched).map(|s| SearchedText {
+                tried: s.tried,
+                budget: s.budget,
+            }),
             conditions: outcome
                 .conditions
                 .iter()
@@ -472,8 +505,29 @@ impl Writer<'_> {
             corrected: equation_of(&correction.display, link),
             given: correction.given.as_ref().map(|g| self.relations(g)),
             only: correction.alternatives.is_empty(),
+            cost: correction.cost,
+            changed: correction
+                .changed
+                .iter()
+                .map(|changed| match changed {
+                    Changed::Left => "left".to_string(),
+                    Changed::Right => "right".to_string(),
+                    Changed::Definition(e) => {
+                        format!("definition ({})", self.audit.model.equations[*e].label)
+                    }
+                })
+                .collect(),
+            definition: correction
+                .definition
+                .as_ref()
+                .map(|(e, display)| DefinitionText {
+                    equation: self.audit.model.equations[*e].label.clone(),
+                    corrected: latex::write_display(display),
+                }),
             alternatives: correction.alternatives.iter().map(|a| edits(a)).collect(),
+            preferred: correction.preferred.map(preferred_as),
             tried: correction.tried,
+            budget: correction.budget,
         }
     }
 

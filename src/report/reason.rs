@@ -8,9 +8,10 @@ use crate::report::formula::{Formulas, Script};
 use crate::report::prose::Prose;
 use crate::theory::limit::Limit;
 use crate::verdict::{
-    Correction, Edit, Flaw, Given, GivenEntry, Misfit, Outcome, PositiveBy, Positivity, Preferred,
-    Refutation, ResidualEntry, Searched, Verdict, Witness,
+    Correction, Edit, Flaw, Given, GivenEntry, Misfit, Outcome, Part, PositiveBy, Positivity,
+    Preferred, Refutation, ResidualEntry, Searched, SignCondition, Verdict, Witness,
 };
+use num_rational::BigRational;
 use ratpoly::RationalFunction;
 
 /// Formulas of more characters than this are left to the longer explanation.
@@ -144,6 +145,11 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
             if let Some(witness) = &refutation.witness {
                 line = line.words("; ").then(values(formulas, witness));
             }
+            if let Some(part) = &refutation.part {
+                line = line
+                    .words("; it holds ")
+                    .then(where_it_holds(formulas, part));
+            }
             match refutation.searched {
                 Some(Searched { budget: 0, .. }) => {
                     line.words("; no correction: the budget is empty")
@@ -242,6 +248,32 @@ pub fn combination(formulas: &Formulas, given: &Given, entry: &GivenEntry) -> [S
 /// A rational function for both media.
 pub fn difference(formulas: &Formulas, f: &RationalFunction) -> [String; 2] {
     [Script::Latex, Script::Plain].map(|script| formulas.rational(f, script))
+}
+
+/// `where x >= 0`, `at x = 3`: where an equation is true that is false elsewhere.
+pub fn where_it_holds(formulas: &Formulas, part: &Part) -> Prose {
+    let point = |(letter, value): &(usize, BigRational)| {
+        let [latex, plain] = [Script::Latex, Script::Plain]
+            .map(|s| format!("{} = {}", formulas.letter(*letter, s), inline(value)));
+        Prose::new().formula(latex, plain)
+    };
+    let sign = |condition: &SignCondition| {
+        let f = RationalFunction::from(condition.function.clone());
+        let [latex, plain] = difference(formulas, &f);
+        match condition.negative {
+            false => Prose::new().formula(format!("{latex} \\ge 0"), format!("{plain} >= 0")),
+            true => Prose::new().formula(format!("{latex} \\le 0"), format!("{plain} <= 0")),
+        }
+    };
+    match part {
+        Part::Around(at) => Prose::of("at ").then(Prose::joined(at.iter().map(point), ", ")),
+        Part::Signs(choices) => {
+            let all = choices
+                .iter()
+                .map(|conditions| Prose::joined(conditions.iter().map(sign), " and "));
+            Prose::of("where ").then(Prose::joined(all, ", or where "))
+        }
+    }
 }
 
 /// `lhs - rhs = ...`, or how long it would be.
@@ -410,17 +442,25 @@ pub fn edits(edits: &[Edit]) -> Prose {
 /// How the correction compares with others.
 pub fn uniqueness(correction: &Correction) -> String {
     let tried = correction.tried;
-    let because = match correction.preferred {
-        Some(Preferred::Units) => ", and the one whose units fit",
-        Some(Preferred::OtherLinks(_)) => ", and the one with which more of the chain holds",
-        None => "",
-    };
+    let because = correction.preferred.map_or_else(String::new, |preferred| {
+        format!(", and the one {}", preferred_as(preferred))
+    });
     match correction.alternatives.len() {
         0 => format!("the only correction at this cost{because} among {tried} tried"),
         n => format!(
             "one of {} corrections at this cost{because} among {tried} tried",
             n + 1,
         ),
+    }
+}
+
+/// What tells the preferred one of several corrections: `whose units fit`.
+pub fn preferred_as(preferred: Preferred) -> &'static str {
+    match preferred {
+        Preferred::Units => "whose units fit",
+        Preferred::Symmetry => "with which the matrix is symmetric",
+        Preferred::OtherLinks(_) => "with which more of the chain holds",
+        Preferred::LaterClaims(_) => "with which more of the later claims hold",
     }
 }
 

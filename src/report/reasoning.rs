@@ -10,7 +10,7 @@ use crate::report::plain::plain;
 use crate::report::prose::{Block, Prose};
 use crate::report::reason::{
     absent, after, combination, difference, edits, equation_of, hypothesis, labels, missing, place,
-    reason, relations, uniqueness, values,
+    reason, relations, uniqueness, values, where_it_holds,
 };
 use crate::verdict::{
     Because, Certificate, Correction, Given, NonVanishing, Outcome, Refutation, Rejected,
@@ -70,6 +70,9 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
                     "None of {tried} candidates makes it true: single edits, repeated slips, pairs \
                      of edits, and edits of what it rests on (the budget was {budget})."
                 ),
+                None if refutation.part.is_some() => {
+                    "It lacks a hypothesis, and no correction was looked for.".to_string()
+                }
                 None => "No correction was looked for.".to_string(),
             })));
         }
@@ -179,6 +182,13 @@ fn refutation_blocks(
         blocks.push(Block::paragraph(
             Prose::of("An exact point where the sides differ: ")
                 .then(values(formulas, witness))
+                .words("."),
+        ));
+    }
+    if let Some(part) = &refutation.part {
+        blocks.push(Block::paragraph(
+            Prose::of("On a part of its domain it is true: it holds ")
+                .then(where_it_holds(formulas, part))
                 .words("."),
         ));
     }

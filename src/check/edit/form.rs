@@ -4,7 +4,7 @@
 //! and multiplies no bracket out: `ab/c` and `b(a/c)` have one form, `(a + b)^2` and
 //! `a^2 + 2ab + b^2` two. What is no sum or product, such as a cosine, has the forms of its parts.
 
-use crate::expr::{Display, Expr, ExprKind, Font, Sign};
+use crate::expr::{Display, Expr, ExprKind, Font, Function, Sign};
 use crate::latex;
 use crate::model::links::{Link, children, children_mut, visit};
 use crate::model::names::literal_integer;
@@ -84,6 +84,11 @@ impl Monomial {
                 let power = pow(n.clone(), size);
                 self.coefficient *= if exponent < 0 { power.recip() } else { power };
             }
+            // The root of one says nothing.
+            ExprKind::Call {
+                function: Function::SquareRoot,
+                argument,
+            } if text(&form(argument)) == "1*1" => {}
             ExprKind::Product(items) if exponent == 1 || !items.iter().any(is_ordered) => {
                 for item in items {
                     self.take(item, exponent);
@@ -186,7 +191,10 @@ fn form(expr: &Expr) -> Form {
                 }
             }
         }
-        ExprKind::Product(_) | ExprKind::Quotient { .. } | ExprKind::Power { .. } => {
+        ExprKind::Product(_)
+        | ExprKind::Quotient { .. }
+        | ExprKind::Power { .. }
+        | ExprKind::Call { .. } => {
             let mut monomial = Monomial::one();
             monomial.take(expr, 1);
             let scalar = monomial.factors.iter().filter(|(_, n)| **n != 0);

@@ -19,7 +19,7 @@ use crate::expr::{Display, Relation};
 use crate::model::links::{Link, Place};
 use crate::model::{DefinitionKind, Node, Role};
 use crate::span::Span;
-use crate::verdict::{Changed, Correction, Outcome, Verdict};
+use crate::verdict::{Changed, Correction, Outcome, Preferred, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How many edited definitions are evaluated: each costs everything that rests on it.
@@ -84,14 +84,15 @@ impl<'m> Bench<'m> {
 }
 
 impl<'m> Checker<'m> {
-    /// The cheapest single edit of a definition that makes a false link true, and with it every
-    /// claim that rests on that definition.
+    /// The cheapest single edit of a definition, or of one `among` these, that makes a false link
+    /// true, and with it every claim that rests on that definition.
     pub(super) fn by_definition(
         &mut self,
         equation: usize,
         link: &Link,
         mut tried: usize,
         budget: usize,
+        among: Option<&BTreeSet<usize>>,
     ) -> Option<Found> {
         let model = self.model;
         // Functions have no values of their own modulo the prime.
@@ -100,7 +101,11 @@ impl<'m> Checker<'m> {
         }
         let context = edit::Context::of(model);
         let mut candidates: Vec<(usize, Replacement)> = Vec::new();
-        for definition in self.defining(equation) {
+        let defining = self.defining(equation);
+        for definition in defining
+            .into_iter()
+            .filter(|d| among.is_none_or(|a| a.contains(d)))
+        {
             let display = self.exact.display(definition).clone();
             let places = self.values_in(definition, &display);
             let singles = edit::singles(&display, &places, &context);
@@ -179,6 +184,23 @@ impl<'m> Checker<'m> {
                 proved.push((definition, corrected, edits, replacement.cost, proof));
             }
         }
+        let before = proved.len();
+        let mut proved = match proved.first() {
+            Some((first, ..)) if proved.iter().all(|p| p.0 == *first) => {
+                let first = *first;
+                self.fitting_units_best(first, proved, |p| &p.1)
+            }
+            _ => proved,
+        };
+        let mut preferred = (proved.len() < before).then_some(Preferred::Units);
+        if preferred.is_none() && proved.len() > 1 {
+            let mut scores = Vec::with_capacity(proved.len());
+            for (definition, corrected, ..) in &proved {
+                scores.push(usize::from(self.defines_symmetric(*definition, corrected)));
+            }
+            let symmetric = Self::best_first(&mut proved, &scores);
+            preferred = symmetric.map(|_| Preferred::Symmetry);
+        }
         let mut proved = proved.into_iter();
         let (definition, corrected, edits, cost, proof) = proved.next()?;
         let alternatives = proved.map(|(_, _, edits, ..)| edits).collect();
@@ -193,10 +215,75 @@ impl<'m> Checker<'m> {
             budget,
             alternatives,
             others: Vec::new(),
-            preferred: None,
+            preferred,
             rejected: Vec::new(),
         };
         Some((correction, proof))
+    }
+
+    /// Where several claims are false that rest on one definition, a slip there that explains all of
+    /// them is likelier than a slip in each.
+    pub(in crate::check) fn common_definitions(&mut self, outcomes: &mut [Outcome]) {
+        let model = self.model;
+        let budget = self.options.candidates;
+        if !self.options.repair || budget == 0 || model.functions.is_some() {
+            return;
+        }
+        let is_false = |outcome: &Outcome| match &outcome.verdict {
+            Verdict::Misprint { correction, .. } => correction.definition.is_none(),
+            Verdict::Refuted(refutation) => refutation.searched.is_some(),
+            _ => false,
+        };
+        let mut resting: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (k, outcome) in outcomes.iter().enumerate().filter(|(_, o)| is_false(o)) {
+            for definition in self.defining(outcome.equation) {
+                resting.entry(definition).or_default().push(k);
+            }
+        }
+        resting.retain(|_, claims| claims.len() > 1);
+        let firsts: BTreeSet<usize> = resting.values().map(|claims| claims[0]).collect();
+        for first in firsts {
+            if !is_false(&outcomes[first]) {
+                continue;
+            }
+            let among: BTreeSet<usize> = resting
+                .iter()
+                .filter(|(_, claims)| claims[0] == first)
+                .map(|(definition, _)| *definition)
+                .collect();
+            let equation = outcomes[first].equation;
+            let links = model.equations[equation].links.iter();
+            let Some(link) = links.copied().find(|l| l.member == outcomes[first].member) else {
+                continue;
+            };
+            let own = self.exact.display(equation).clone();
+            self.exact
+                .correct(equation, model.equations[equation].display.clone());
+            match self.by_definition(equation, &link, 0, budget, Some(&among)) {
+                Some((correction, proof)) => {
+                    if let Some((definition, display)) = &correction.definition {
+                        self.exact.correct(*definition, display.clone());
+                        // It was computed so before the correction was accepted.
+                        let _ = self.insert_anew();
+                    }
+                    let outcome = &mut outcomes[first];
+                    let (Verdict::Misprint { refutation, .. } | Verdict::Refuted(refutation)) =
+                        &outcome.verdict
+                    else {
+                        continue;
+                    };
+                    outcome.verdict = Verdict::Misprint {
+                        refutation: crate::verdict::Refutation {
+                            searched: None,
+                            ..refutation.clone()
+                        },
+                        correction: Box::new(correction),
+                    };
+                    outcome.certificate = proof;
+                }
+                None => self.exact.correct(equation, own),
+            }
+        }
     }
 
     /// Gives claims that were corrected on their own the correction of a definition that they rest
@@ -265,7 +352,7 @@ impl<'m> Checker<'m> {
     }
 
     /// An evaluator modulo the prime that computes everything from the equations.
-    fn native(&self) -> Evaluator<'m, PrimeField> {
+    pub(super) fn native(&self) -> Evaluator<'m, PrimeField> {
         let mut random = SplitMix(0x5DEE_CE66_D1CE_4E5B);
         let letters = self.model.letters.iter().map(|_| random.next() % PRIME);
         let mut evaluator =
@@ -328,7 +415,7 @@ impl<'m> Checker<'m> {
     }
 
     /// The claims that rest on an equation: their links that are equations and no definitions.
-    fn resting_on(&self, definition: usize) -> Vec<Claim> {
+    pub(super) fn resting_on(&self, definition: usize) -> Vec<Claim> {
         let model = self.model;
         let mut found = Vec::new();
         for (e, equation) in model.equations.iter().enumerate() {

@@ -15,6 +15,7 @@ mod images;
 mod needed;
 mod pairs;
 mod parallel;
+mod preferred;
 mod rejected;
 mod sites;
 mod solved;
@@ -23,7 +24,7 @@ mod store;
 use super::Checker;
 use super::edit::{self, Replacement, form};
 use super::identity::Decision;
-use crate::expr::{Display, ExprKind};
+use crate::expr::{Display, ExprKind, Name};
 use crate::latex;
 use crate::model::links::Link;
 use crate::verdict::{
@@ -134,7 +135,7 @@ impl<'m> Checker<'m> {
         if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
             return Ok(found);
         }
-        if let Some(found) = self.by_definition(equation, link, trial.tried, budget) {
+        if let Some(found) = self.by_definition(equation, link, trial.tried, budget, None) {
             return Ok(found);
         }
         let passing = trial.pairs(&singles);
@@ -215,7 +216,9 @@ impl<'m> Checker<'m> {
         let mut proved = self.fitting_units_best(equation, proved, |p| &p.display);
         let by_units = equals(&proved).0 != cheapest || equals(&proved).1 < before;
         let preferred = by_units.then_some(Preferred::Units);
-        let preferred = preferred.or_else(|| self.by_later_links(equation, link, &mut proved));
+        let preferred = preferred
+            .or_else(|| self.by_other_links(equation, link, &mut proved))
+            .or_else(|| self.by_later_claims(equation, &mut proved));
         let mut proved = proved.into_iter();
         let first = proved.next()?;
         let steps = &first.candidate.steps;
@@ -259,50 +262,6 @@ impl<'m> Checker<'m> {
         };
         Some((correction, first.proof))
     }
-
-    /// Of several corrections at the lowest cost, first those with which most of the other links of
-    /// the equation hold; how many more do than with the others.
-    fn by_later_links(
-        &mut self,
-        equation: usize,
-        link: &Link,
-        proved: &mut [Proved],
-    ) -> Option<Preferred> {
-        let lowest = proved.first().map(sorting)?;
-        let equals = proved.iter().take_while(|p| sorting(p) == lowest).count();
-        let links = &self.model.equations[equation].links;
-        let shared = |other: &Link| {
-            let places = [other.left, other.right];
-            other.member != link.member
-                && other.relation == link.relation
-                && (places.contains(&link.left) || places.contains(&link.right))
-        };
-        let others: Vec<Link> = links.iter().filter(|l| shared(l)).copied().collect();
-        if equals < 2 || others.is_empty() {
-            return None;
-        }
-        let before = self.exact.display(equation).clone();
-        let mut counts = Vec::new();
-        for one in proved.iter().take(equals) {
-            self.exact.correct(equation, one.display.clone());
-            let mut count = 0;
-            for other in &others {
-                if let Ok(entries) = self.sides(equation, other)
-                    && let Ok(Decision::Holds(_) | Decision::HoldsGiven(..)) =
-                        self.decide_true(&entries, equation)
-                {
-                    count += 1;
-                }
-            }
-            counts.push(count);
-        }
-        self.exact.correct(equation, before);
-        let most = counts.iter().copied().max()?;
-        let best = counts.iter().position(|c| *c == most)?;
-        proved[..=best].rotate_right(1);
-        let apart = counts.iter().any(|c| *c < most);
-        apart.then_some(Preferred::OtherLinks(most))
-    }
 }
 
 /// What corrections are compared by.
@@ -325,6 +284,40 @@ fn says_nothing(
         && !uses_definitions(checker, printed, link);
     !pure && form::is_restatement(corrected, link)
         || form::zeros(corrected, link) > form::zeros(printed, link)
+        || candidate.steps.len() > 1 && loses_content(printed, corrected, link, candidate)
+}
+
+/// Whether several edits leave little of what the equation is about: two letters that it no longer
+/// names, or one whose terms and factors were all taken out.
+fn loses_content(
+    printed: &Display,
+    corrected: &Display,
+    link: &Link,
+    candidate: &Candidate,
+) -> bool {
+    let names = |display: &Display| {
+        let mut found: BTreeSet<String> = BTreeSet::new();
+        for expr in [link.left, link.right]
+            .iter()
+            .filter_map(|p| p.find(display))
+        {
+            crate::model::links::visit(expr, &mut |e| {
+                if let Some(name) = edit::name_of(e) {
+                    // Another index or dot is no other letter.
+                    let bare = Name {
+                        subscript: None,
+                        ..name.undotted()
+                    };
+                    found.insert(latex::canonical(&bare));
+                }
+            });
+        }
+        found
+    };
+    let left = names(corrected);
+    let lost = names(printed).into_iter().filter(|n| !left.contains(n));
+    let dropped = candidate.steps.iter().all(|s| s.class == EditClass::Term);
+    lost.count() > usize::from(!dropped)
 }
 
 /// Whether a side names anything that has a definition.
