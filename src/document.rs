@@ -78,6 +78,8 @@ pub struct Document {
     pub statements: Vec<Statement>,
     /// Remarks on what the paper writes without saying what it is, or in two ways.
     pub remarks: Vec<Text>,
+    /// What its verdicts rest on besides its letters: an example, a kind of function.
+    pub rests_on: Option<Text>,
     /// Where it stands among the documents of its paper; the first number that it covers unless told.
     pub order: Option<BigRational>,
 }
@@ -154,6 +156,7 @@ impl Document {
             figures: reader.figures,
             statements: reader.statements,
             remarks: reader.remarks,
+            rests_on: reader.rests_on,
             order: reader.order,
         })
     }
@@ -217,6 +220,7 @@ struct Reader<'t> {
     source: Option<Text>,
     paper: Option<Paper>,
     remarks: Vec<Text>,
+    rests_on: Option<Text>,
     order: Option<BigRational>,
     instance_letters: Vec<(Text, Vec<usize>)>,
     equation_numbers: Vec<RangeInclusive<u32>>,
@@ -246,6 +250,7 @@ impl<'t> Reader<'t> {
             source: None,
             paper: None,
             remarks: Vec::new(),
+            rests_on: None,
             order: None,
             instance_letters: Vec::new(),
             equation_numbers: Vec::new(),
@@ -444,6 +449,7 @@ impl<'t> Reader<'t> {
         let figures = fields.text("figures");
         let paper = fields.take("paper");
         self.remarks = fields.texts("remarks");
+        self.rests_on = fields.text("rests_on");
         self.order = fields.number("order").map(|(order, _)| order);
         let instances = fields.table("instances");
         self.instance_letters = size::instances(instances, fields.report());

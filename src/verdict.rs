@@ -373,6 +373,10 @@ pub enum Because {
     Positive,
     /// So it is once the definitions of these labels are inserted.
     PositiveBy(Vec<String>),
+    /// It is a principal minor of the matrix of this name, which is declared positive definite.
+    Definite(String),
+    /// By its sign for all values of the letters, or that of its squared modulus.
+    Sign,
 }
 
 /// Why something is positive.

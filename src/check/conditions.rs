@@ -1,12 +1,23 @@
 //! The divisors that must not vanish, in irreducible factors, and why they do not.
 //!
 //! A polynomial in positive letters whose coefficients all have one sign has no zero. Where the
-//! printed letters do not show that, the definitions are inserted and it is asked again.
+//! printed letters do not show that, the definitions are inserted and it is asked again; then whether
+//! it is a principal minor of a matrix that is declared positive definite, and what its sign is, with
+//! the imaginary unit that of its squared modulus.
 
 use super::Checker;
+use crate::functions::FunctionLetter;
+use crate::functions::quadratic::reduce_polynomial;
+use crate::matrix::Matrix;
+use crate::model::matrices::MatrixEntry;
+use crate::theory::determinant;
 use crate::verdict::{Because, NonVanishing};
 use num_traits::Signed;
-use ratpoly::{Budget, Polynomial, RationalFunction};
+use ratpoly::{Budget, Polynomial, RationalFunction, RegionSign};
+
+/// The sign of a polynomial with more terms or letters than these is not asked for.
+const LONG: usize = 40;
+const MANY: usize = 6;
 
 impl Checker<'_> {
     /// The conditions met since they were last cleared.
@@ -18,6 +29,10 @@ impl Checker<'_> {
                     continue;
                 }
                 let because = self.nonvanishing(&factor);
+                // Letters under an integral are none of the document's, and π is a number.
+                if because.is_some() && self.is_no_condition(&factor) {
+                    continue;
+                }
                 found.push(NonVanishing {
                     factor,
                     origin: condition.origin.clone(),
@@ -43,7 +58,102 @@ impl Checker<'_> {
             .ok()?;
         let positive =
             self.has_one_sign(inserted.numerator()) && self.has_one_sign(inserted.denominator());
-        positive.then_some(Because::PositiveBy(insertion.labels))
+        if positive {
+            return Some(Because::PositiveBy(insertion.labels));
+        }
+        if let Some(name) = self.minor_of(factor) {
+            return Some(Because::Definite(name));
+        }
+        let real = self.squared_modulus(inserted.numerator())?;
+        let occurring = real.variables_occurring();
+        if real.len() > LONG || occurring.len() > MANY {
+            return None;
+        }
+        matches!(
+            self.sign(&RationalFunction::from(real)),
+            RegionSign::Positive | RegionSign::Negative
+        )
+        .then_some(Because::Sign)
+    }
+
+    /// The matrix that is declared positive definite and has this factor as a principal minor, which is
+    /// positive then.
+    fn minor_of(&self, factor: &Polynomial) -> Option<String> {
+        let instance = &self.model.instances[self.instance];
+        let occurring = factor.variables_occurring();
+        for matrix in &self.model.matrices {
+            if !matrix.shape.positive_definite {
+                continue;
+            }
+            let (order, _) = matrix.shape_in(instance);
+            let entry = |i: usize, j: usize| -> Option<RationalFunction> {
+                let MatrixEntry::Symbol(symbol) = matrix.entry(i, j) else {
+                    return None;
+                };
+                let letter = self.model.letter_of_symbol(symbol, 0)?;
+                Some(RationalFunction::variable(self.model.ring, letter))
+            };
+            // The rows whose diagonal entries occur.
+            let diagonal = |i: &usize| {
+                let letter = entry(*i, *i)?.numerator().variables_occurring();
+                Some(letter.iter().all(|l| occurring.contains(l)))
+            };
+            let kept: Vec<usize> = (0..order)
+                .filter(|i| diagonal(i).unwrap_or(false))
+                .collect();
+            if kept.is_empty() || kept.len() > 4 {
+                continue;
+            }
+            let minor = Matrix::try_from_fn(kept.len(), kept.len(), |i, j| {
+                entry(kept[i], kept[j]).ok_or(())
+            });
+            let Ok(minor) = minor else { continue };
+            let value = determinant::determinant(&self.model.field(), &minor);
+            let normal = |p: &Polynomial| p.primitive_part().unit_normal();
+            if value.is_some_and(|v| normal(v.numerator()) == normal(factor)) {
+                return Some(crate::latex::canonical(&matrix.name));
+            }
+        }
+        None
+    }
+
+    /// A real polynomial that vanishes where this one does: itself, or where it has the imaginary unit
+    /// its product with the conjugate. None where it has other functions.
+    fn squared_modulus(&self, f: &Polynomial) -> Option<Polynomial> {
+        let Some(table) = &self.model.functions else {
+            return Some(f.clone());
+        };
+        let mut unit = None;
+        for letter in f.variables_occurring() {
+            match table.meaning(letter) {
+                None | Some(FunctionLetter::Pi) => {}
+                Some(FunctionLetter::ImaginaryUnit) => unit = Some(letter),
+                Some(FunctionLetter::Bound { .. }) => {}
+                Some(_) => return None,
+            }
+        }
+        let Some(unit) = unit else {
+            return Some(f.clone());
+        };
+        let minus = -RationalFunction::variable(self.model.ring, unit);
+        let conjugate = RationalFunction::from(f.clone())
+            .substitute(&[(unit, minus)])
+            .ok()?;
+        let product = f * conjugate.numerator();
+        Some(reduce_polynomial(&product, &table.quadratics()))
+    }
+
+    /// Whether a factor is about letters of integrals or numbers only.
+    fn is_no_condition(&self, factor: &Polynomial) -> bool {
+        let Some(table) = &self.model.functions else {
+            return false;
+        };
+        let occurring = factor.variables_occurring();
+        let mut meanings = occurring.iter().map(|l| table.meaning(*l));
+        let all_numbers = occurring
+            .iter()
+            .all(|l| table.meaning(*l) == Some(FunctionLetter::Pi));
+        all_numbers || meanings.any(|m| matches!(m, Some(FunctionLetter::Bound { .. })))
     }
 
     /// Whether all letters are positive and all coefficients of one sign.

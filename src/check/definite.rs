@@ -260,7 +260,7 @@ impl Checker<'_> {
     }
 
     /// The sign for all values of the letters, the definitions inserted.
-    fn sign(&self, value: &RationalFunction) -> RegionSign {
+    pub(super) fn sign(&self, value: &RationalFunction) -> RegionSign {
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         let Ok(value) = value.substitute(&all.letters) else {
             return RegionSign::Undecided;

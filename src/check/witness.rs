@@ -5,6 +5,7 @@ use super::identity::letters_of;
 use crate::evaluate::Failure;
 use crate::model::Letter;
 use crate::model::links::Link;
+use crate::model::matrices::MatrixEntry;
 use crate::verdict::{Refutation, ResidualEntry, Witness};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -158,6 +159,7 @@ impl Checker<'_> {
             shown.push((letter, value.clone()));
             point[letter] = Some(value);
         }
+        self.make_definite(&mut point, &mut shown);
         let left = self.value_at(&entry.left, &point)?;
         let right = self.value_at(&entry.right, &point)?;
         (left != right).then_some(Witness {
@@ -167,6 +169,38 @@ impl Checker<'_> {
             place: entry.place,
             indices: entry.indices.clone(),
         })
+    }
+}
+
+impl Checker<'_> {
+    /// Raises the diagonals of matrices that are declared positive definite until they dominate their
+    /// rows, so that the point is one where the hypotheses hold.
+    fn make_definite(&self, point: &mut [Option<BigRational>], shown: &mut [(usize, BigRational)]) {
+        let instance = &self.model.instances[self.instance];
+        for matrix in &self.model.matrices {
+            if !matrix.shape.positive_definite {
+                continue;
+            }
+            let (order, _) = matrix.shape_in(instance);
+            let letter = |i: usize, j: usize| match matrix.entry(i, j) {
+                MatrixEntry::Symbol(symbol) => self.model.letter_of_symbol(symbol, 0),
+                _ => None,
+            };
+            for i in 0..order {
+                let others = (0..order).filter(|j| *j != i).filter_map(|j| letter(i, j));
+                let sum: BigRational = others
+                    .filter_map(|l| point[l].as_ref().map(Signed::abs))
+                    .sum();
+                if let Some(diagonal) = letter(i, i)
+                    && let Some(value) = &mut point[diagonal]
+                {
+                    *value = value.abs() + sum;
+                    if let Some((_, known)) = shown.iter_mut().find(|(l, _)| *l == diagonal) {
+                        known.clone_from(value);
+                    }
+                }
+            }
+        }
     }
 }
 

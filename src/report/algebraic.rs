@@ -28,6 +28,14 @@ pub fn shown(value: &Algebraic) -> Prose {
     }
 }
 
+/// The same after an equals sign, or after that of an approximation where only decimals are shown.
+pub fn equals(value: &Algebraic) -> Prose {
+    match closed(value) {
+        Some(_) => Prose::new().formula("\\;=\\;", " = ").then(shown(value)),
+        None => Prose::new().formula("\\;", " ").then(shown(value)),
+    }
+}
+
 /// A number in closed form, in LaTeX and for a terminal; none where that would be too long.
 pub fn closed(value: &Algebraic) -> Option<[String; 2]> {
     if let Some(rational) = value.as_rational() {

@@ -4,7 +4,7 @@ use crate::audit::Audit;
 use crate::document::{Settings, VerdictWord};
 use crate::report::formula::Formulas;
 use crate::report::plain::plain;
-use crate::report::prose::Block;
+use crate::report::prose::{Block, Prose};
 use crate::report::reason::{equation_of, number_of};
 use crate::report::reasoning::reasoning;
 use crate::report::statement;
@@ -22,7 +22,11 @@ fn statement(audit: &Audit, index: usize, width: usize) -> String {
     let statement = &audit.model.statements[index];
     let formulas = Formulas::of(&audit.model);
     let mut out = format!("{}  {}\n", statement.label, audit.model.document.name);
-    out += &wrapped(&format!("\"{}\"", statement.sentence), width, "    ");
+    out += &wrapped(
+        &format!("\"{}\"", Prose::text(&statement.sentence).to_plain()),
+        width,
+        "    ",
+    );
     out += &remarks(&statement.settings, width);
     for outcome in audit.outcomes_of_statement(index) {
         let claim = statement::proposition_of(audit, outcome)
@@ -45,21 +49,23 @@ fn statement(audit: &Audit, index: usize, width: usize) -> String {
 /// The note, and where a slip is likelier.
 fn remarks(settings: &Settings, width: usize) -> String {
     let mut out = String::new();
-    let note = settings.note.as_ref().map(|n| format!("Note: {}", n.text));
-    let likelier = likelier(settings);
-    for remark in note.into_iter().chain(likelier) {
-        let text = wrapped(&remark, width, "      ");
+    let note = settings.note.as_ref();
+    let note = note.map(|n| Prose::of("Note: ").then(Prose::text(&n.text)));
+    for remark in note.into_iter().chain(likelier(settings)) {
+        let text = wrapped(&remark.to_plain(), width, "      ");
         out += &format!("\n{}\n", text.trim());
     }
     out
 }
 
 /// `The slip is likelier the paper's: ...`.
-pub fn likelier(settings: &Settings) -> Option<String> {
+pub fn likelier(settings: &Settings) -> Option<Prose> {
     let source = settings.likelier?.as_str();
     Some(match &settings.because {
-        Some(because) => format!("The slip is likelier the {source}'s: {}", because.text),
-        None => format!("The slip is likelier the {source}'s."),
+        Some(because) => Prose::of(format!("The slip is likelier the {source}'s: "))
+            .then(Prose::text(&because.text))
+            .words("."),
+        None => Prose::of(format!("The slip is likelier the {source}'s.")),
     })
 }
 

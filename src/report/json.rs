@@ -395,6 +395,8 @@ impl Writer<'_> {
                     nonzero: self.formulas.polynomial(&c.factor, Script::Code),
                     because: c.because.as_ref().map(|b| match b {
                         Because::Positive => "positive".to_string(),
+                        Because::Definite(name) => format!("minor of the positive definite {name}"),
+                        Because::Sign => "of one sign".to_string(),
                         Because::PositiveBy(by) => {
                             format!("positive with {}", crate::report::reason::labels(by))
                         }

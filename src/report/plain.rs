@@ -61,6 +61,12 @@ const GREEK: [(&str, &str); 40] = [
     ("ell", "ℓ"),
 ];
 
+/// The control word of a Greek letter.
+pub fn greek(letter: char) -> Option<&'static str> {
+    let found = GREEK.iter().find(|(_, shown)| shown.chars().eq([letter]));
+    found.map(|(word, _)| *word)
+}
+
 const SYMBOLS: [(&str, &str); 29] = [
     ("sum", "Σ"),
     ("int", "∫"),

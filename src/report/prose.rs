@@ -2,7 +2,7 @@
 
 use crate::report::latex::escape::escape;
 use crate::report::latex::printed::printed;
-use crate::report::plain::plain;
+use crate::report::plain::{greek, plain};
 
 /// A piece of a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,6 +55,15 @@ impl Prose {
                     rest = after;
                 }
                 None => {
+                    let begins = words.chars().last().is_none_or(|c| !c.is_alphanumeric());
+                    if let Some(name) = Some(c).filter(|_| begins).and_then(|_| indexed(rest)) {
+                        if !words.is_empty() {
+                            prose = prose.words(std::mem::take(&mut words));
+                        }
+                        prose = prose.formula(printed(&spelt(name)), plain(name));
+                        rest = &rest[name.len()..];
+                        continue;
+                    }
                     words.push(c);
                     rest = &rest[c.len_utf8()..];
                 }
@@ -191,6 +200,57 @@ impl Prose {
     }
 }
 
+/// The letter with an index or an exponent that a text begins with, such as `c_R`, `Φ_0` or `v^3`: words
+/// have none.
+fn indexed(text: &str) -> Option<&str> {
+    let first = text.chars().next()?;
+    let is_letter = first.is_ascii_alphabetic() || ('α'..='Ω').contains(&first) || is_greek(first);
+    if !is_letter {
+        return None;
+    }
+    let mut end = first.len_utf8();
+    let mut scripts = 0;
+    while let Some(mark) = text[end..]
+        .chars()
+        .next()
+        .filter(|c| matches!(c, '_' | '^'))
+    {
+        let inner = &text[end + mark.len_utf8()..];
+        let length = match inner.strip_prefix('{') {
+            Some(group) => group.find('}').filter(|_| !group.contains(['\\', '$']))? + 2,
+            None => {
+                let digits = inner.bytes().take_while(u8::is_ascii_digit).count();
+                let next = inner.chars().next().filter(|c| c.is_ascii_alphabetic());
+                digits.max(next.map_or(0, char::len_utf8))
+            }
+        };
+        if length == 0 {
+            return None;
+        }
+        end += mark.len_utf8() + length;
+        scripts += 1;
+    }
+    let after = text[end..].chars().next();
+    (scripts > 0 && !after.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_'))
+        .then(|| &text[..end])
+}
+
+fn is_greek(c: char) -> bool {
+    ('α'..='ω').contains(&c) || ('Α'..='Ω').contains(&c)
+}
+
+/// The same in LaTeX, which has words for Greek letters.
+fn spelt(name: &str) -> String {
+    let mut out = String::new();
+    for c in name.chars() {
+        match greek(c) {
+            Some(word) => out += &format!("\\{word} "),
+            None => out.push(c),
+        }
+    }
+    out
+}
+
 /// What stands between the sign that a text begins with and the next one, and what follows: for a
 /// dollar only where it can be no price.
 fn enclosed(text: &str, before: Option<char>) -> Option<(&str, &str)> {
@@ -248,6 +308,11 @@ mod tests {
             ),
             ("5 $ and 6 $", "5 \\$ and 6 \\$", "5 $ and 6 $"),
             ("from $5 to $6", "from \\$5 to \\$6", "from $5 to $6"),
+            (
+                "the tyre c_R, Φ_0 and v^3 of H_{01}, not snake_case",
+                "the tyre $c_R$, $\\Phi _0$ and $v^3$ of $H_{01}$, not snake\\_case",
+                "the tyre c_R, Φ_0 and v^3 of H_01, not snake_case",
+            ),
             ("a ` alone", "a \\textasciigrave{} alone", "a ` alone"),
             (
                 "$$ and ``",

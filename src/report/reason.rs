@@ -1,7 +1,7 @@
 //! A verdict in one line.
 
 use crate::audit::Audit;
-use crate::expr::Display;
+use crate::expr::{Display, ExprKind, Relation};
 use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::report::formula::{Formulas, Script};
@@ -32,7 +32,7 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
         line = line
             .words(", given ")
             .then(Prose::joined(hypotheses, ", "))
-            .words(" as printed");
+            .words(" as assumed");
     }
     let instances = instances(audit, outcome);
     if instances.is_empty() {
@@ -72,6 +72,35 @@ pub fn instances(audit: &Audit, outcome: &Outcome) -> String {
     shown.join(" and ")
 }
 
+/// What a link says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Two things are the same.
+    Equality,
+    /// Something tends to something.
+    Limit,
+    /// Something is constant.
+    Constant,
+    /// An order, or something else.
+    Other,
+}
+
+/// What the link of an outcome says.
+pub fn kind_of(audit: &Audit, outcome: &Outcome) -> Kind {
+    let equation = &audit.model.equations[outcome.equation];
+    let link = &equation.links[outcome.member - 1];
+    let is_constant = |place: Place| {
+        let side = place.find(&equation.display).map(|e| &e.kind);
+        matches!(side, Some(ExprKind::Constant))
+    };
+    match link.relation {
+        Relation::Tends => Kind::Limit,
+        Relation::Equal if is_constant(link.left) || is_constant(link.right) => Kind::Constant,
+        Relation::Equal => Kind::Equality,
+        _ => Kind::Other,
+    }
+}
+
 /// Why something is positive.
 fn positive(positivity: &Positivity) -> Prose {
     let line = match &positivity.by {
@@ -96,7 +125,12 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
         return positive(positivity);
     }
     match &outcome.verdict {
-        Verdict::Holds { by } if by.is_empty() => Prose::of("identity in the printed letters"),
+        Verdict::Holds { by } if by.is_empty() => Prose::of(match kind_of(audit, outcome) {
+            Kind::Limit => "the limit is this one",
+            Kind::Constant => "its derivative by the time vanishes",
+            Kind::Equality => "identity in the printed letters",
+            Kind::Other => "true for all values of the letters",
+        }),
         Verdict::Holds { by } => Prose::of(format!("identity with {} inserted", labels(by))),
         Verdict::HoldsGiven(given) => {
             let mut line = hypothesis(formulas, given);
@@ -174,10 +208,27 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
                 .systems
                 .iter()
                 .any(|s| s.equation == outcome.equation);
-            Prose::of(if is_solved { "determines " } else { "defines " }).math(what.clone())
+            let line = Prose::of(if is_solved { "determines " } else { "defines " });
+            match is_words(what) {
+                true => defined(what),
+                false => line.then(defined(what)),
+            }
         }
-        Verdict::Recalled { reason } => Prose::of(reason.clone()),
+        Verdict::Recalled { reason } => Prose::text(reason),
     }
+}
+
+/// What a definition defines: a name, or in words what else it says.
+pub fn defined(what: &str) -> Prose {
+    match is_words(what) {
+        true => Prose::of(what),
+        false => Prose::new().math(what),
+    }
+}
+
+/// Whether this is no formula but words.
+fn is_words(what: &str) -> bool {
+    what.contains(' ') && !what.contains(['\\', '_', '^', '(', ','])
 }
 
 /// `true as printed, but (30.1) is not, and its correction changes a side; with that `: of a link that an

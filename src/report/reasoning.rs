@@ -4,7 +4,7 @@
 use crate::audit::Audit;
 use crate::check::effect::effect;
 use crate::document::Settings;
-use crate::report::algebraic::shown;
+use crate::report::algebraic::equals;
 use crate::report::formula::{Formulas, Script};
 use crate::report::plain::plain;
 use crate::report::prose::{Block, Prose};
@@ -19,8 +19,10 @@ use crate::verdict::{
 
 /// Entries of a matrix residual that are written out.
 const ENTRIES: usize = 4;
+/// Changes of more characters than this are shown by the corrected equation only.
+const LONG: usize = 120;
 /// Rejected readings that are listed.
-const READINGS: usize = 24;
+const READINGS: usize = 8;
 
 /// Everything there is to say about one link.
 pub fn reasoning(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Block> {
@@ -198,14 +200,14 @@ fn refutation_blocks(
 fn effect_block(audit: &Audit, outcome: &Outcome) -> Option<Block> {
     let effect = effect(&audit.model, outcome)?;
     let names = if effect.corrected {
-        "printed/true = "
+        "printed/true"
     } else {
-        "left/right = "
+        "left/right"
     };
     Some(Block::paragraph(
         Prose::of("At the reference point ")
             .words(names)
-            .then(shown(&effect.ratio().into()))
+            .then(equals(&effect.ratio().into()))
             .words("."),
     ))
 }
@@ -232,10 +234,14 @@ fn correction_blocks(
     blocks: &mut Vec<Block>,
 ) {
     let class = correction.edits.first().map_or("", |e| e.class.as_str());
+    let change = edits(&correction.edits);
+    // A long one is seen in the corrected equation.
+    let slip = match change.to_plain().chars().count() > LONG {
+        true => Prose::of(format!("The slip is one of {class}")),
+        false => Prose::of(format!("The slip is one of {class}: ")).then(change),
+    };
     blocks.push(Block::paragraph(
-        Prose::of(format!("The slip is one of {class}: "))
-            .then(edits(&correction.edits))
-            .words(format!(", {}. Corrected it reads", uniqueness(correction))),
+        slip.words(format!(", {}. Corrected it reads", uniqueness(correction))),
     ));
     let equation = &audit.model.equations[outcome.equation];
     if let Some(link) = equation.links.get(outcome.member - 1) {
@@ -269,7 +275,9 @@ fn correction_blocks(
     }
     let mut readings: Vec<&Rejected> = correction.rejected.iter().collect();
     readings.sort_by_key(|r| rank(r, correction));
-    let rows = readings.into_iter().take(READINGS).map(|rejected| {
+    // The same change in several places is one row.
+    let mut rows: Vec<Vec<Prose>> = Vec::new();
+    for rejected in readings {
         let reading = if rejected.edits.is_empty() {
             Prose::of("as printed")
         } else {
@@ -285,18 +293,26 @@ fn correction_blocks(
             }
             None => Prose::of("the sides differ"),
         };
-        vec![reading, why]
-    });
+        if !rows.iter().any(|row| row[0] == reading) {
+            rows.push(vec![reading, why]);
+        }
+    }
+    // That it is false as printed was said.
+    if matches!(&rows[..], [only] if only[0] == Prose::of("as printed")) {
+        return;
+    }
+    let more = rows.len().saturating_sub(READINGS);
+    rows.truncate(READINGS);
     blocks.push(Block::paragraph(Prose::of(
         "Other readings of the same places, and what came of them at the reference point:",
     )));
     blocks.push(Block::Table {
         head: vec!["reading".into(), "why not".into()],
-        rows: rows.collect(),
+        rows,
     });
-    if correction.rejected.len() > READINGS {
+    if more > 0 {
         blocks.push(Block::paragraph(Prose::of(format!(
-            "{} readings of these places were tried in all.",
+            "And {more} more that are not true either, of {} in all.",
             correction.rejected.len()
         ))));
     }
@@ -357,6 +373,11 @@ pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Pr
         Prose::joined(factors, ", ").words(match because {
             Some(Because::Positive) => " (of positive letters)".to_string(),
             Some(Because::PositiveBy(by)) => format!(" (positive once {} is inserted)", labels(by)),
+            Some(Because::Definite(name)) => format!(
+                " (a minor of {}, which is positive definite)",
+                crate::report::plain::plain(name)
+            ),
+            Some(Because::Sign) => " (of one sign for all values of the letters)".to_string(),
             None => " (which nothing declared here ensures)".to_string(),
         })
     });

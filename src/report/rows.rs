@@ -43,7 +43,11 @@ pub fn rows(audit: &Audit, formulas: &Formulas) -> Vec<Row> {
                     (last.reason == row.reason).then(|| last.reason.clone())
                 }
                 Verdict::Definition { what } => {
-                    Some(last.reason.clone().words(", ").math(what.clone()))
+                    let more = crate::report::reason::defined(what);
+                    match last.reason.to_plain().ends_with(&more.to_plain()) {
+                        true => Some(last.reason.clone()),
+                        false => Some(last.reason.clone().words(", ").then(more)),
+                    }
                 }
                 _ => None,
             };

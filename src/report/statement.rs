@@ -5,7 +5,7 @@ use crate::document::{Predicate, VerdictWord};
 use crate::expr::Expr;
 use crate::latex;
 use crate::model::statement::Proposition;
-use crate::report::algebraic::shown;
+use crate::report::algebraic::{equals, shown};
 use crate::report::formula::{Formulas, Script, number, width};
 use crate::report::prose::{Block, Prose};
 use crate::theory::algebraic::Algebraic;
@@ -38,7 +38,7 @@ pub fn proposition_of<'a>(audit: &'a Audit, outcome: &StatementOutcome) -> Optio
 
 /// The verdict on a proposition in one line.
 pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) -> Prose {
-    let why = Prose::of(outcome.reason.clone().unwrap_or_default());
+    let why = Prose::text(outcome.reason.as_deref().unwrap_or_default());
     let Some(proposition) = proposition_of(audit, outcome) else {
         return why;
     };
@@ -101,7 +101,9 @@ pub fn reasoning(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome)
     let mut blocks = Vec::new();
     let Some(proposition) = proposition_of(audit, outcome) else {
         let reason = outcome.reason.clone().unwrap_or_default();
-        return vec![Block::paragraph(Prose::of(reason).capitalised().words("."))];
+        return vec![Block::paragraph(
+            Prose::text(&reason).capitalised().words("."),
+        )];
     };
     let writer = Writer {
         audit,
@@ -326,10 +328,7 @@ impl Writer<'_> {
                         .formula("\\;=\\;", " = ")
                         .then(plain_number(value))
                 });
-                let line = self
-                    .subject(*subject)
-                    .formula("\\;=\\;", " = ")
-                    .then(shown(&value.clone().into()));
+                let line = self.subject(*subject).then(equals(&value.clone().into()));
                 if point.is_empty() {
                     line
                 } else {
@@ -382,7 +381,14 @@ impl Writer<'_> {
                 .words(" and on no other letter"),
             Fact::Quotient(value) => Prose::of("the quotient is ").then(self.function(value)),
             Fact::Units(own, other) => {
-                Prose::of(format!("its unit is {own}, the other is {other}"))
+                let unit = |unit: &str| match unit.contains('\\') {
+                    true => Prose::of(unit),
+                    false => Prose::new().formula(in_latex(unit), unit),
+                };
+                Prose::of("its unit is ")
+                    .then(unit(own))
+                    .words(", the other is ")
+                    .then(unit(other))
             }
             Fact::Separates(sum) => Prose::of(if *sum {
                 "it is a sum of such functions: every mixed derivative vanishes"
@@ -405,6 +411,7 @@ impl Writer<'_> {
 
     /// A number with its meaning.
     fn measured(&self, measure: &Measure, value: &Algebraic) -> Prose {
+        let equal = equals(value);
         let value = shown(value);
         let q = self.quantity();
         match measure {
@@ -422,14 +429,12 @@ impl Writer<'_> {
                 .then(self.letter(*x)),
             Measure::Stationary(x) => Prose::of("that is ")
                 .then(self.letter(*x))
-                .formula("\\;=\\;", " = ")
-                .then(value)
+                .then(equal)
                 .words(" for the reference values of the others"),
             Measure::SameAgain(x) => q
                 .words(" is the same at ")
                 .then(self.letter(*x))
-                .formula("\\;=\\;", " = ")
-                .then(value),
+                .then(equal),
             Measure::Worse(_) => q
                 .words(" is there ")
                 .then(value)
@@ -578,6 +583,11 @@ impl Writer<'_> {
         });
         Prose::new().formula(latex, plain)
     }
+}
+
+/// A unit in LaTeX: `\mathrm{N\,s/m^2}`.
+pub fn in_latex(unit: &str) -> String {
+    format!("\\mathrm{{{}}}", unit.replace(' ', "\\,"))
 }
 
 /// Relations between formulas have their own spaces in LaTeX: TeX adds none at a formula's end.

@@ -393,6 +393,20 @@ pub fn square_part(n: &BigInt) -> (BigInt, BigInt) {
         }
         p += if p == 2 { 1 } else { 2 };
     }
+    // What small primes leave may be the square of a large one.
+    let (mut small, mut rest) = (BigInt::one(), inside.clone());
+    let mut p = 2_u32;
+    while p < 2000 {
+        if (&rest % p).is_zero() {
+            rest /= p;
+            small *= p;
+        }
+        p += if p == 2 { 1 } else { 2 };
+    }
+    let root = rest.abs().sqrt();
+    if rest.is_positive() && &root * &root == rest {
+        return (outside * root, small);
+    }
     (outside, inside)
 }
 

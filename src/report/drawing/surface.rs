@@ -452,15 +452,24 @@ fn bar(scene: &mut Scene, view: &View<'_>) {
 fn key(scene: &mut Scene, view: &View<'_>) {
     let surface = view.surface;
     let mut y = LEGEND;
-    let mut entry = |kind: Option<MarkKind>, words: Prose| {
-        symbol(scene, kind, (52.0, y), 5.0);
+    let mut entry = |kind: Option<MarkKind>, words: Prose, drawn: bool| {
+        if drawn {
+            symbol(scene, kind, (52.0, y), 5.0);
+        }
         scene.text((66.0, y), words, Anchor::Start, SIZE);
         y += LINE;
     };
-    entry(None, legend::reference(surface));
+    entry(None, legend::reference(surface), true);
     for mark in &surface.marks {
         if let Some(words) = legend::mark(surface, mark) {
-            entry(Some(mark.kind), words);
+            // What lies outside of the picture has no symbol in it.
+            let drawn = match (&mark.kind, &mark.place) {
+                (MarkKind::Section(k, _), Ok(place)) => {
+                    legend::is_drawn(surface, *k, &place.coordinates[0])
+                }
+                (_, place) => place.is_ok(),
+            };
+            entry(Some(mark.kind), words, drawn);
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::check::effect::{BOX, Change, Changes};
 use crate::document::{Settings, Text, VerdictWord};
 use crate::model::Equation;
 use crate::model::links::Place;
-use crate::report::algebraic::shown;
+use crate::report::algebraic::{equals, shown};
 use crate::report::formula::Formulas;
 use crate::report::prose::Prose;
 use crate::report::reason::{
@@ -454,17 +454,17 @@ fn effect(changes: &[Change]) -> Option<Prose> {
         .iter()
         .filter(|c| c.at_reference.is_some() || c.range.is_some())
         .max_by_key(|c| c.at_reference.as_ref().map(Signed::abs))?;
-    let mut line = Prose::of("printed/correct − 1 = ");
+    let mut line = Prose::of("printed/correct − 1");
     let constant = match &most.range {
         Some((least, greatest)) if least.compare(greatest).is_eq() => Some(least.clone()),
         _ => None,
     };
     let everywhere = constant.is_some();
     if let Some(value) = constant {
-        line = line.then(shown(&value)).words(" everywhere");
+        line = line.then(equals(&value)).words(" everywhere");
     } else if let Some(value) = &most.at_reference {
         line = line
-            .then(shown(&value.clone().into()))
+            .then(equals(&value.clone().into()))
             .words(" at the reference values");
     } else {
         return None;

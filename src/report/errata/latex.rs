@@ -33,7 +33,8 @@ pub fn latex(sheets: &[Sheet]) -> String {
     tex.finish()
 }
 
-fn write(tex: &mut Tex, sheet: &Sheet) {
+/// One sheet, without its title.
+pub(crate) fn write(tex: &mut Tex, sheet: &Sheet) {
     for source in &sheet.sources {
         tex.paragraph(&Prose::of(format!("Checked: {source}.")));
     }

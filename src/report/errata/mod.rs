@@ -11,6 +11,7 @@ mod markdown;
 
 pub use collect::sheets;
 pub use latex::latex;
+pub(crate) use latex::write;
 pub use markdown::markdown;
 
 use crate::document::Source;

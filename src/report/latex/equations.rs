@@ -8,7 +8,7 @@ use crate::model::Role;
 use crate::report::explain::likelier;
 use crate::report::formula::{Formulas, width};
 use crate::report::prose::{Block, Prose};
-use crate::report::reason::{equation_of, number_of};
+use crate::report::reason::{Kind, equation_of, kind_of, number_of};
 use crate::report::reasoning::{argument, conditions};
 use crate::standing::Standing;
 use crate::verdict::{NonVanishing, Outcome, Verdict};
@@ -18,6 +18,8 @@ const INLINE: usize = 60;
 
 pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
     tex.heading("The equations one by one");
+    // A divisor is named with the first equation that needs it.
+    let mut known: Vec<NonVanishing> = Vec::new();
     for (index, equation) in audit.model.equations.iter().enumerate() {
         let role = match &equation.role {
             Role::Define => "a definition",
@@ -25,20 +27,29 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
             Role::Claim => "a claim",
             Role::Recall(_) => "recalled",
         };
+        let settings = &equation.settings;
+        let source = match &settings.quote {
+            _ if equation.label.parse::<u32>().is_ok() => Prose::of("as printed:"),
+            Some(quote) => Prose::of("of the words “")
+                .then(Prose::text(&quote.text))
+                .words("”:"),
+            None => Prose::of("as written in the document:"),
+        };
         tex.line(&format!(
-            "\n\\paragraph{{Equation ({}),}} {role}, as printed:",
-            escape(&equation.label)
+            "\n\\paragraph{{Equation ({}),}} {role}, {}",
+            escape(&equation.label),
+            source.to_latex()
         ));
         tex.numbered(&equation.label, &printed(&equation.source));
         if let Some(note) = &equation.settings.note {
-            tex.paragraph(&Prose::of(format!("Note: {}", note.text)));
+            tex.paragraph(&Prose::of("Note: ").then(Prose::text(&note.text)));
         }
-        if let Some(words) = likelier(&equation.settings) {
-            tex.paragraph(&Prose::of(words));
+        if let Some(words) = likelier(settings) {
+            tex.paragraph(&words);
         }
         let outcomes: Vec<&Outcome> = audit.outcomes_of(index).collect();
         let (plain, rest): (Vec<&Outcome>, Vec<&Outcome>) =
-            outcomes.into_iter().partition(|o| is_plain(o));
+            outcomes.into_iter().partition(|o| is_plain(audit, o));
         together(tex, audit, &plain);
         for outcome in rest {
             let mut prose = head(audit, outcome);
@@ -52,7 +63,8 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
         }
         let mut divisors: Vec<NonVanishing> = Vec::new();
         for condition in audit.outcomes_of(index).flat_map(|o| &o.conditions) {
-            if !divisors.iter().any(|d| d.factor == condition.factor) {
+            if !known.iter().any(|d| d.factor == condition.factor) {
+                known.push(condition.clone());
                 divisors.push(condition.clone());
             }
         }
@@ -63,9 +75,14 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
 }
 
 /// Whether the verdict needs no words beyond its own.
-fn is_plain(outcome: &Outcome) -> bool {
+fn is_plain(audit: &Audit, outcome: &Outcome) -> bool {
     match &outcome.verdict {
-        Verdict::Holds { by } => by.is_empty(),
+        Verdict::Holds { by } => {
+            by.is_empty()
+                && outcome.positivity.is_none()
+                && outcome.assumed.is_empty()
+                && kind_of(audit, outcome) == Kind::Equality
+        }
         Verdict::Definition { .. } => true,
         _ => false,
     }

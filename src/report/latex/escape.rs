@@ -27,8 +27,15 @@ pub fn escape(text: &str) -> String {
 /// A name from a program or a file: typewriter letters, with places where a line may break.
 pub fn code(text: &str) -> String {
     let mut out = String::from("\\texttt{");
+    let mut since = 0;
     for (k, c) in text.chars().enumerate() {
-        if k > 0 && k % 16 == 0 {
+        // Words break behind their signs, what has none after some letters.
+        since = if matches!(c, '/' | '_' | '-' | '.') {
+            0
+        } else {
+            since + 1
+        };
+        if k > 0 && since > 0 && since % 24 == 0 {
             out.push_str("\\allowbreak{}");
         }
         out.push_str(&escape(&c.to_string()));

@@ -1,7 +1,6 @@
 //! The figures, drawn anew from the exact formulas.
 
 use super::Tex;
-use super::escape::escape;
 use crate::audit::Audit;
 use crate::report::drawing::{pgf, remarks, scene};
 use crate::report::prose::Prose;
@@ -31,7 +30,7 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit) {
         }
         tex.line(caption.to_latex().trim());
         if let Some(note) = &figure.note {
-            tex.line(&format!("\\par {}", escape(note)));
+            tex.line(&format!("\\par {}", Prose::text(note).to_latex()));
         }
         tex.line("\\end{minipage}\n\\end{figure}");
     }

@@ -11,6 +11,7 @@ use crate::numeric::LyapunovMethod;
 use crate::numeric::agreement::{MOST_DIGITS, nearest};
 use crate::report::methods::{cells, head, headline, title};
 use crate::report::prose::Prose;
+use num_traits::Zero;
 
 pub(super) fn write(tex: &mut Tex, inspection: &Inspection) {
     let Some(comparison) = &inspection.comparison else {
@@ -38,7 +39,7 @@ fn methods(tex: &mut Tex, inspection: &Inspection) {
         found.seed
     )));
     for at in &found.points {
-        tex.paragraph(&Prose::of(format!("At {}:", title(at))));
+        tex.caption(&Prose::of(format!("At {}:", title(at))));
         let head: Vec<String> = head(false).into_iter().map(escape).collect();
         let rows: Vec<Vec<String>> = at
             .rows
@@ -128,7 +129,7 @@ fn random(tex: &mut Tex, inspection: &Inspection, comparison: &Comparison) {
         n => format!(", {n} failed"),
     };
     if !differ.is_empty() {
-        tex.paragraph(&Prose::of(
+        tex.caption(&Prose::of(
             "At the random points, by method: the fewest digits, in brackets the median.",
         ));
         let rows: Vec<Vec<String>> = differ
@@ -157,6 +158,8 @@ fn random(tex: &mut Tex, inspection: &Inspection, comparison: &Comparison) {
     }
     let rows: Vec<Vec<String>> = alike
         .iter()
+        // Of what is exactly zero no digit counts.
+        .filter(|&&s| !always_zero(comparison, s))
         .filter_map(|&s| {
             let summary = comparison.summary(s, 0, false)?;
             Some(vec![
@@ -168,12 +171,18 @@ fn random(tex: &mut Tex, inspection: &Inspection, comparison: &Comparison) {
         })
         .collect();
     if !rows.is_empty() {
-        tex.paragraph(&Prose::of(
+        tex.caption(&Prose::of(
             "What needs no matrix equation solved is the same by every method:",
         ));
         let head = ["Subject", "Fewest digits", "at sample", "Median"].map(String::from);
         tex.table(&[0.25, 0.25, 0.25, 0.25], &head, &rows);
     }
+}
+
+/// Whether a subject is zero at every point.
+fn always_zero(comparison: &Comparison, subject: usize) -> bool {
+    let mut rows = comparison.rows.iter().filter(|r| r.subject == subject);
+    rows.all(|r| r.exact.as_ref().is_some_and(Zero::is_zero))
 }
 
 /// Every quantity at every named point.
@@ -202,7 +211,7 @@ fn named(tex: &mut Tex, comparison: &Comparison) {
         if rows.is_empty() {
             continue;
         }
-        tex.paragraph(
+        tex.caption(
             &Prose::of("At the named points, correct digits of ")
                 .math(printed(name))
                 .words(":"),

@@ -9,6 +9,7 @@ mod equations;
 pub mod escape;
 mod figures;
 mod floating;
+mod grounds;
 pub(crate) mod preamble;
 pub mod printed;
 mod results;
@@ -26,12 +27,30 @@ use escape::escape;
 pub fn report(inspections: &[Inspection]) -> String {
     let mut tex = Tex::default();
     tex.push(&preamble::preamble(inspections));
-    for paper in papers(inspections) {
+    let all = papers(inspections);
+    if !all.is_empty() {
+        tex.line("\\section*{What was checked}");
+    }
+    for paper in all {
         tex.paragraph(&Prose::of(format!(
             "{}: {}.",
             paper.title,
             paper.coverage()
         )));
+        grounds::write(&mut tex, &paper, inspections);
+    }
+    let audits: Vec<&crate::audit::Audit> = inspections.iter().map(|i| &i.audit).collect();
+    let sheets: Vec<_> = crate::report::errata::sheets(&audits)
+        .into_iter()
+        .filter(|sheet| !sheet.is_empty())
+        .collect();
+    for sheet in &sheets {
+        let title = match sheets.len() {
+            1 => String::new(),
+            _ => format!(": {}", escape(&sheet.title)),
+        };
+        tex.line(&format!("\\section{{What was found{title}}}"));
+        crate::report::errata::write(&mut tex, sheet);
     }
     tex.push(preamble::METHOD);
     for inspection in inspections {
@@ -76,7 +95,7 @@ impl Tex {
 
     /// A heading below the document's own.
     pub(crate) fn heading(&mut self, title: &str) {
-        self.line(&format!("\n\\subsection{{{title}}}"));
+        self.line(&format!("\n\\keeproom\n\\subsection{{{title}}}"));
     }
 
     /// A paragraph.
@@ -86,6 +105,12 @@ impl Tex {
             self.line("");
             self.line(text.trim());
         }
+    }
+
+    /// The words before a table, with which it stands on one page.
+    pub(crate) fn caption(&mut self, prose: &Prose) {
+        self.line("\n\\keeproom");
+        self.paragraph(prose);
     }
 
     /// A formula on a line of its own; smaller where it is too wide.
@@ -121,8 +146,13 @@ impl Tex {
     }
 
     pub(crate) fn blocks(&mut self, blocks: &[Block]) {
-        for block in blocks {
+        for (k, block) in blocks.iter().enumerate() {
             match block {
+                Block::Paragraph(prose)
+                    if matches!(blocks.get(k + 1), Some(Block::Table { .. })) =>
+                {
+                    self.caption(prose);
+                }
                 Block::Paragraph(prose) => self.paragraph(prose),
                 Block::Display { latex, .. } => self.display(latex),
                 Block::Table { head, rows } => {

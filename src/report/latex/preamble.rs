@@ -26,6 +26,9 @@ pub(crate) const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
 % The same input gives the same bytes.
 \ifdefined\pdftrailerid\pdftrailerid{}\fi
 \ifdefined\pdfsuppressptexinfo\pdfsuppressptexinfo=-1\fi
+% \keeproom: a heading does not stand alone at the foot of a page.
+\newcommand{\keeproom}{\par\ifdim\pagegoal<\maxdimen
+  \ifdim\dimexpr\pagegoal-\pagetotal\relax<9\baselineskip\newpage\fi\fi}
 % \fitted{number}{formula}: a display in the largest size in which it fits its line.
 \newsavebox{\fitbox}
 \newsavebox{\fitnumber}
@@ -46,7 +49,27 @@ pub(super) fn preamble(inspections: &[Inspection]) -> String {
             "{}: a re-derivation",
             escape(&only.audit.model.document.title)
         ),
-        _ => "Equations re-derived".to_string(),
+        [first, ..] => {
+            let paper = |i: &Inspection| {
+                i.audit
+                    .model
+                    .document
+                    .paper
+                    .as_ref()
+                    .map(|p| p.title.text.clone())
+            };
+            match paper(first) {
+                Some(title)
+                    if inspections
+                        .iter()
+                        .all(|i| paper(i).as_ref() == Some(&title)) =>
+                {
+                    format!("{}: a re-derivation", escape(&title))
+                }
+                _ => "Equations re-derived".to_string(),
+            }
+        }
+        [] => "Equations re-derived".to_string(),
     };
     out += &format!(
         "\\title{{{title}}}\n\\author{{rederive {}}}\n\\date{{}}\n",

@@ -2,12 +2,13 @@
 
 use super::Tex;
 use super::escape::escape;
+use super::printed::printed;
 use crate::audit::Audit;
 use crate::document::Structure;
 use crate::report::formula::{Formulas, Script};
 use crate::report::prose::Prose;
 use crate::report::rows::rows;
-use crate::report::statement::is_strong;
+use crate::report::statement::{in_latex, is_strong};
 use crate::report::terminal::{coverage, tally};
 
 pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
@@ -38,7 +39,18 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
         })
         .collect();
     let head = ["Link", "Verdict", "Reason"].map(String::from);
-    tex.table(&[0.12, 0.14, 0.66], &head, &rows);
+    // A label is not broken while there is room for it.
+    let longest = rows.iter().map(|row| row[0].len()).max().unwrap_or(0);
+    let labels = (0.0125 * longest as f64).clamp(0.1, 0.32);
+    tex.table(&[labels, 0.13, 0.82 - labels], &head, &rows);
+}
+
+/// A unit as the tables show it; a power that is written is one.
+fn unit(unit: &str) -> String {
+    match unit.contains('^') && printed(unit) == unit {
+        true => format!("${}$", in_latex(unit)),
+        false => escape(unit),
+    }
 }
 
 /// The declared symbols with unit, reference value and meaning.
@@ -56,14 +68,14 @@ fn letters(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
             (Structure::General, _) => "a matrix of letters",
         };
         let (rows, columns) = (&matrix.shape.rows, &matrix.shape.columns);
-        let mut meaning = escape(&matrix.meaning);
+        let mut meaning = Prose::text(&matrix.meaning).to_latex();
         meaning += &escape(&format!(" ({rows} x {columns}, {structure})"));
         if let Some(argument) = matrix.arguments.last() {
             meaning += &format!(", a function of ${}$", crate::latex::canonical(argument));
         }
         vec![
             format!("${}$", crate::latex::canonical(&matrix.name)),
-            matrix.unit.as_deref().map_or_else(String::new, escape),
+            matrix.unit.as_deref().map_or_else(String::new, unit),
             String::new(),
             meaning,
         ]
@@ -73,7 +85,7 @@ fn letters(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
         .filter(|symbol| symbol.entry_of.is_none())
         .map(|symbol| {
             let value = symbol.value.as_ref();
-            let mut meaning = escape(&symbol.meaning);
+            let mut meaning = Prose::text(&symbol.meaning).to_latex();
             if symbol.positive {
                 meaning += " (positive)";
             }
@@ -82,7 +94,7 @@ fn letters(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
             }
             vec![
                 format!("${}$", crate::latex::canonical(&symbol.name)),
-                symbol.unit.as_deref().map_or_else(String::new, escape),
+                symbol.unit.as_deref().map_or_else(String::new, unit),
                 value.map_or_else(String::new, |v| {
                     format!("${}$", formulas.number(v, Script::Plain))
                 }),

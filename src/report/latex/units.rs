@@ -23,7 +23,12 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit) {
     let rows: Vec<Vec<String>> = units_by_equation(audit)
         .into_iter()
         .map(|(finding, more)| {
-            let mut what = escape(&finding.to_string());
+            // The unit of a letter that has none is written as the letter in brackets.
+            let words = finding
+                .to_string()
+                .replace("[\\", "[$\\")
+                .replace(")]", ")$]");
+            let mut what = Prose::text(&words).to_latex();
             if more > 0 {
                 what += &format!("; {more} more such places");
             }

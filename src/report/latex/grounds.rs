@@ -1,0 +1,89 @@
+//! Beside the headline: how many of the numbered equations were checked and how many only name
+//! something, and what the verdicts rest on.
+
+use super::Tex;
+use crate::audit::Audit;
+use crate::document::VerdictWord;
+use crate::inspection::Inspection;
+use crate::paper::Paper;
+use crate::report::prose::Prose;
+
+pub(super) fn write(tex: &mut Tex, paper: &Paper, inspections: &[Inspection]) {
+    let audits: Vec<&Audit> = paper
+        .documents
+        .iter()
+        .map(|d| &inspections[*d].audit)
+        .collect();
+    let (mut checked, mut named, mut recalled) = (0, Vec::new(), Vec::new());
+    for number in &paper.announced {
+        let words: Vec<VerdictWord> = audits
+            .iter()
+            .filter_map(|audit| Some((audit, audit.model.equation(&number.to_string())?)))
+            .flat_map(|(audit, e)| audit.outcomes_of(e).map(|o| o.verdict.word()))
+            .collect();
+        let only = |word: VerdictWord| words.iter().all(|w| *w == word);
+        if only(VerdictWord::Recalled) {
+            recalled.push(*number);
+        } else if words
+            .iter()
+            .all(|w| matches!(w, VerdictWord::Definition | VerdictWord::Recalled))
+        {
+            named.push(*number);
+        } else {
+            checked += 1;
+        }
+    }
+    let listed = |numbers: &[u32]| {
+        let numbers: Vec<String> = numbers.iter().map(|n| format!("({n})")).collect();
+        numbers.join(", ")
+    };
+    let mut line = Prose::of(format!(
+        "Of these, {checked} say something that was checked"
+    ));
+    if !named.is_empty() {
+        line = line.words(format!(
+            "; {} only give names their values, which the others use: {}",
+            named.len(),
+            listed(&named)
+        ));
+    }
+    if !recalled.is_empty() {
+        line = line.words(format!(
+            "; {} are stated without anything to check: {}",
+            recalled.len(),
+            listed(&recalled)
+        ));
+    }
+    tex.paragraph(&line.words("."));
+    let grounds: Vec<Prose> = audits.iter().filter_map(|audit| ground(audit)).collect();
+    if !grounds.is_empty() {
+        let all = Prose::joined(grounds, "; ");
+        tex.paragraph(&Prose::of("What they rest on: ").then(all).words("."));
+    }
+}
+
+/// `(4), (5): f = 2, 3` and what else the verdicts of a document rest on.
+fn ground(audit: &Audit) -> Option<Prose> {
+    let document = &audit.model.document;
+    let numbers: Vec<String> = document
+        .announced_numbers()
+        .map(|n| format!("({n})"))
+        .collect();
+    let about = match numbers.as_slice() {
+        [] => return None,
+        [one] => one.clone(),
+        [first, .., last] => format!("{first} to {last}"),
+    };
+    let sizes = document.instance_letters.iter().map(|(letter, values)| {
+        let values: Vec<String> = values.iter().map(usize::to_string).collect();
+        Prose::new()
+            .math(letter.text.clone())
+            .words(format!(" = {}", values.join(", ")))
+    });
+    let mut parts: Vec<Prose> = sizes.collect();
+    parts.extend(document.rests_on.iter().map(|t| Prose::text(&t.text)));
+    if parts.is_empty() {
+        return None;
+    }
+    Some(Prose::of(format!("{about} on ")).then(Prose::joined(parts, ", ")))
+}
