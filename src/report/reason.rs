@@ -147,7 +147,7 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
             refutation: _,
             correction,
         } => {
-            let class = correction.edits.first().map_or("", |e| e.class.as_str());
+            let class = classes(&correction.edits);
             let class = match &correction.definition {
                 Some((definition, _)) => {
                     let label = &audit.model.equations[*definition].label;
@@ -488,6 +488,17 @@ pub fn edits(edits: &[Edit]) -> Prose {
         }),
         ", ",
     )
+}
+
+/// What kinds of slips some edits mend: `dot and exponent`.
+pub fn classes(edits: &[Edit]) -> String {
+    let mut words: Vec<&str> = Vec::new();
+    for edit in edits {
+        if !words.contains(&edit.class.as_str()) {
+            words.push(edit.class.as_str());
+        }
+    }
+    words.join(" and ")
 }
 
 /// How the correction compares with others.

@@ -9,8 +9,8 @@ use crate::report::formula::{Formulas, Script};
 use crate::report::plain::plain;
 use crate::report::prose::{Block, Prose};
 use crate::report::reason::{
-    absent, after, combination, difference, edits, equation_of, hypothesis, labels, missing, place,
-    reason, relations, uniqueness, values, where_it_holds,
+    absent, after, classes, combination, difference, edits, equation_of, hypothesis, labels,
+    missing, place, reason, relations, uniqueness, values, where_it_holds,
 };
 use crate::verdict::{
     Because, Certificate, Correction, Given, NonVanishing, Outcome, Refutation, Rejected,
@@ -20,7 +20,7 @@ use crate::verdict::{
 /// Entries of a matrix residual that are written out.
 const ENTRIES: usize = 4;
 /// Changes of more characters than this are shown by the corrected equation only.
-const LONG: usize = 120;
+const LONG: usize = 60;
 /// Rejected readings that are listed.
 const READINGS: usize = 8;
 
@@ -233,7 +233,7 @@ fn correction_blocks(
     correction: &Correction,
     blocks: &mut Vec<Block>,
 ) {
-    let class = correction.edits.first().map_or("", |e| e.class.as_str());
+    let class = classes(&correction.edits);
     let change = edits(&correction.edits);
     // A long one is seen in the corrected equation.
     let slip = match change.to_plain().chars().count() > LONG {

@@ -10,11 +10,11 @@ use crate::report::algebraic::{equals, shown};
 use crate::report::formula::Formulas;
 use crate::report::prose::Prose;
 use crate::report::reason::{
-    bare_reason, edits, equation_of, labels, number_of, place_of, relations, uniqueness,
+    bare_reason, classes, edits, equation_of, labels, number_of, place_of, relations, uniqueness,
 };
 use crate::report::statement;
 use crate::verdict::statement::{Loose, StatementOutcome};
-use crate::verdict::{Changed, Correction, Edit, Outcome, Refutation, Verdict};
+use crate::verdict::{Changed, Correction, Outcome, Refutation, Verdict};
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -373,13 +373,6 @@ impl Collector<'_> {
             },
         )
     }
-}
-
-/// `dot and exponent`.
-fn classes(edits: &[Edit]) -> String {
-    let mut words: Vec<&str> = edits.iter().map(|e| e.class.as_str()).collect();
-    words.dedup();
-    words.join(" and ")
 }
 
 fn prose(text: &Text) -> Prose {

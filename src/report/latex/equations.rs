@@ -109,8 +109,12 @@ fn together(tex: &mut Tex, audit: &Audit, outcomes: &[&Outcome]) {
             "are definitions.",
         ),
     ];
-    for (numbers, one, several) in said {
-        if !numbers.is_empty() {
+    // Of a definition it is said before that it is one.
+    let of_claims = outcomes
+        .iter()
+        .any(|o| audit.model.equations[o.equation].role == Role::Claim);
+    for (k, (numbers, one, several)) in said.into_iter().enumerate() {
+        if !numbers.is_empty() && (k == 0 || of_claims) {
             let words = if numbers.len() == 1 { one } else { several };
             let list = crate::report::reason::labels(&numbers);
             tex.paragraph(&Prose::of(format!("{list} {words}")));

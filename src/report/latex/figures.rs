@@ -16,7 +16,8 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit) {
          shown rounded.",
     ));
     for figure in &audit.figures {
-        tex.line("\n\\begin{figure}[!htbp]\n\\centering");
+        // No float: it stays in its section, and no page is for it alone.
+        tex.line("\n\\par\\medskip\\noindent\\begin{minipage}{\\linewidth}\n\\centering");
         if let Some(scene) = scene(figure) {
             tex.push(&pgf(&scene));
         }
@@ -32,8 +33,6 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit) {
         if let Some(note) = &figure.note {
             tex.line(&format!("\\par {}", Prose::text(note).to_latex()));
         }
-        tex.line("\\end{minipage}\n\\end{figure}");
+        tex.line("\\end{minipage}\n\\end{minipage}\\par\\medskip");
     }
-    // Nothing of the next section stands between them.
-    tex.line("\\clearpage");
 }

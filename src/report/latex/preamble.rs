@@ -118,5 +118,5 @@ this is never counted as true. A \emph{definition} gives a name its value, and w
 is stated without anything to check.
 
 Each certificate was checked by multiplying out. Each division leaves the condition that its divisor
-does not vanish; the conditions stand with the equations that need them.
+does not vanish; the conditions stand with the first equation that needs them.
 "#;

@@ -101,7 +101,23 @@ fn letters(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
                 meaning,
             ]
         });
-    let rows: Vec<Vec<String>> = scalars.chain(matrices).collect();
-    let head = ["Letter", "Unit", "Reference", "Meaning"].map(String::from);
-    tex.table(&[0.12, 0.12, 0.2, 0.46], &head, &rows);
+    let mut rows: Vec<Vec<String>> = scalars.chain(matrices).collect();
+    let mut head: Vec<String> = ["Letter", "Unit", "Reference", "Meaning"]
+        .map(String::from)
+        .into();
+    let mut widths = vec![0.12, 0.12, 0.2, 0.46];
+    // A column without entries is none.
+    for column in [2, 1] {
+        if rows.iter().all(|row| row[column].is_empty()) {
+            head.remove(column);
+            let width = widths.remove(column);
+            if let Some(last) = widths.last_mut() {
+                *last += width;
+            }
+            for row in &mut rows {
+                row.remove(column);
+            }
+        }
+    }
+    tex.table(&widths, &head, &rows);
 }
