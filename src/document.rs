@@ -17,6 +17,7 @@ mod symbols;
 mod table;
 #[cfg(test)]
 mod tests;
+mod words;
 
 pub use equation::{Equation, Role, Settings, Source, VerdictWord};
 pub use figure::{Figure, FigureKind};
@@ -35,6 +36,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::path::Path;
 use table::Fields;
+use words::{or, split_word};
 
 /// A piece of a document's text with its place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -586,22 +588,4 @@ impl<'t> Reader<'t> {
             }
         }
     }
-}
-
-/// The place, or the other one where it is empty.
-fn or(span: Span, other: Span) -> Span {
-    if span.start < span.end { span } else { other }
-}
-
-/// The first word of a range of the text, and the trimmed rest.
-fn split_word(text: &str, span: Span) -> (Text, Span) {
-    let words = &text[span.start..span.end];
-    let length = words.find(char::is_whitespace).unwrap_or(words.len());
-    let rest = &words[length..];
-    let inset = rest.len() - rest.trim_start().len();
-    let word = Text {
-        text: words[..length].into(),
-        span: Span::new(span.start, span.start + length),
-    };
-    (word, Span::new(span.start + length + inset, span.end))
 }

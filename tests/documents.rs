@@ -187,3 +187,36 @@ fn the_example_of_the_format_page_is_sound() {
 fn the_matrix_polynomial_solves_the_lyapunov_equation_of_every_system() {
     assert_sound(&read(&proofs().join("matrix-polynomial/lyapunov.md")));
 }
+
+#[test]
+fn the_documents_of_a_paper_come_in_the_order_of_its_equations() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("order");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let text = |equations: &str, more: &str| {
+        format!(
+            "```toml document\ntitle = \"t\"\npaper = \"p\"\n{equations}{more}```\n```math 1 claim\nx = x\n```\n"
+        )
+    };
+    for (name, equations, more) in [
+        ("a.md", "equations = \"9\"\n", ""),
+        ("b.md", "equations = \"2-3\"\n", ""),
+        ("c.md", "", ""),
+        ("d.md", "", "order = \"5/2\"\n"),
+    ] {
+        std::fs::write(folder.join(name), text(equations, more)).expect("a file");
+    }
+    let other = text("", "").replace("paper = \"p\"", "paper = \"q\"");
+    std::fs::write(folder.join("0.md"), other).expect("a file");
+    let read = rederive::input::read(&[&folder]);
+    let names: Vec<String> = read
+        .iter()
+        .map(|d| {
+            let path = std::path::Path::new(&d.as_ref().expect("a document").name);
+            path.file_stem()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    assert_eq!(names, ["0", "b", "d", "a", "c"]);
+}

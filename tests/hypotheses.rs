@@ -133,3 +133,33 @@ fn the_report_calls_printed_what_the_paper_prints_and_assumed_what_is_assumed() 
         "an inequality is no identity"
     );
 }
+
+#[test]
+fn the_report_says_beside_its_headline_what_the_verdicts_rest_on() {
+    let of = |number: u32, more: &str, role: &str| {
+        let text = format!(
+            "```toml document\ntitle = \"t\"\npaper = \"A paper\"\nequations = \"{number}\"\n{more}```\n\
+             {SCALARS}```math {number} {role}\ny = a\n```\n"
+        );
+        let text = match role {
+            "claim" => text.replace("y = a", "a = a"),
+            _ => text,
+        };
+        Inspection {
+            audit: audit(&text, true),
+            comparison: None,
+        }
+    };
+    let both = [
+        of(1, "rests_on = \"one example\"\n", "claim"),
+        of(2, "", "define"),
+    ];
+    let tex = rederive::report::latex::report(&both);
+    for expected in [
+        "Of these, one says something that was checked; one only gives names their values",
+        "What they rest on: (1) on one example.",
+        "A paper: a re-derivation",
+    ] {
+        assert!(tex.contains(expected), "{expected}\n{tex}");
+    }
+}

@@ -19,6 +19,7 @@ mod repair;
 mod scope;
 mod sides;
 mod statement;
+mod stationary;
 pub(crate) mod trial;
 mod witness;
 
@@ -30,9 +31,8 @@ use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Letter, Model, Node, Role};
-use crate::theory::stability::hurwitz_determinants;
 use crate::verdict::statement::StatementOutcome;
-use crate::verdict::{Certificate, Flaw, Outcome, Positivity, Refutation, Verdict};
+use crate::verdict::{Certificate, Outcome, Positivity, Refutation, Verdict};
 use identity::Decision;
 use num_traits::Signed;
 use ratpoly::RationalFunction;
@@ -358,42 +358,6 @@ impl<'m> Checker<'m> {
             Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual
         );
         order && plain(link.left) && plain(link.right)
-    }
-
-    /// What is called a covariance and solves a Lyapunov equation must belong to a stable system: at
-    /// the reference point, or for all positive letters, its Hurwitz determinants say whether it does.
-    fn instability(&mut self, system: usize) -> Option<Flaw> {
-        let node = Node::Unknown {
-            system,
-            position: 0,
-        };
-        if !self.model.covariances().any(|(_, n, _)| n == node) {
-            return None;
-        }
-        let matrix = self.exact.lyapunov_matrix(system)?;
-        let minors = hurwitz_determinants(&self.exact.field, "A", matrix).ok()?;
-        let all: Vec<usize> = self.inserted.keys().copied().collect();
-        let definitions = self.insertion(&all).letters;
-        let point = self.reference_point();
-        for (k, minor) in minors.iter().enumerate() {
-            let minor = minor.substitute(&definitions).ok()?;
-            let letters = self.exact.field.letters(&minor);
-            let known = letters.iter().all(|l| self.has_reference(*l));
-            let (negative, value) = match minor.evaluate(&point) {
-                Ok(value) if known => (!value.is_positive(), value.to_string()),
-                _ => {
-                    let constant_sign = !minor.is_zero() && self.is_negative(&minor);
-                    (minor.is_zero() || constant_sign, minor.to_string())
-                }
-            };
-            if negative {
-                return Some(Flaw::Unstable {
-                    order: k + 1,
-                    determinant: value,
-                });
-            }
-        }
-        None
     }
 
     /// Whether a function of positive letters is negative by the signs of its coefficients.

@@ -65,37 +65,6 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) ->
     line
 }
 
-/// The same for a sheet of errata: what is said of what was read, and the facts that show it.
-pub fn judgement(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) -> Prose {
-    let Some(proposition) = proposition_of(audit, outcome) else {
-        return Prose::of(outcome.reason.clone().unwrap_or_default());
-    };
-    let writer = Writer {
-        audit,
-        formulas,
-        proposition,
-    };
-    let said = match (outcome.word, outcome.loose) {
-        (_, Some(Loose::Nearly)) => "true only approximately",
-        (_, Some(Loose::Partly)) => "true at the reference values, and not for all",
-        (_, Some(Loose::Otherwise)) => "false, while another reading is true",
-        (VerdictWord::Refuted, _) => "false",
-        (word, _) => word.as_str(),
-    };
-    let line = Prose::of("read “")
-        .then(writer.claim())
-        .words(format!("”, it is {said}"));
-    // The first fact, and what is known of the box.
-    let in_box = |f: &Fact| matches!(f, Fact::Sign(_, _, Scope::Box(_)));
-    let facts = outcome.facts.iter().enumerate();
-    let facts = facts.filter(|(k, f)| *k == 0 || in_box(f)).take(2);
-    let facts: Vec<Prose> = facts.map(|(_, f)| writer.fact(f)).collect();
-    match facts.is_empty() {
-        true => line,
-        false => line.words(": ").then(Prose::joined(facts, "; ")),
-    }
-}
-
 /// Everything that was found about a proposition.
 pub fn reasoning(audit: &Audit, formulas: &Formulas, outcome: &StatementOutcome) -> Vec<Block> {
     let mut blocks = Vec::new();

@@ -13,7 +13,7 @@ use crate::report::reason::{
     bare_reason, classes, edits, equation_of, labels, number_of, place_of, relations, uniqueness,
 };
 use crate::report::statement;
-use crate::verdict::statement::{Loose, StatementOutcome};
+use crate::verdict::statement::{Fact, Loose, Scope, StatementOutcome};
 use crate::verdict::{Changed, Correction, Outcome, Refutation, Verdict};
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -192,9 +192,7 @@ impl Collector<'_> {
         let outcomes: Vec<&StatementOutcome> = self.audit.outcomes_of_statement(index).collect();
         let of = |wanted: &dyn Fn(&StatementOutcome) -> bool| {
             let wanted = outcomes.iter().filter(|o| wanted(o));
-            let facts: Vec<Prose> = wanted
-                .map(|o| statement::judgement(self.audit, &self.formulas, o))
-                .collect();
+            let facts: Vec<Prose> = wanted.map(|o| self.judgement(o)).collect();
             facts
         };
         let loose = |how: &[Loose]| {
@@ -227,6 +225,33 @@ impl Collector<'_> {
                 note: settings.note.as_ref().map(prose),
             });
             return;
+        }
+    }
+
+    /// What is said of what was read, and the facts that show it.
+    fn judgement(&self, outcome: &StatementOutcome) -> Prose {
+        let Some(proposition) = statement::proposition_of(self.audit, outcome) else {
+            return Prose::text(outcome.reason.as_deref().unwrap_or_default());
+        };
+        let said = match (outcome.word, outcome.loose) {
+            (_, Some(Loose::Nearly)) => "true only approximately",
+            (_, Some(Loose::Partly)) => "true at the reference values, and not for all",
+            (_, Some(Loose::Otherwise)) => "false, while another reading is true",
+            (VerdictWord::Refuted, _) => "false",
+            (word, _) => word.as_str(),
+        };
+        let line = Prose::of("read “")
+            .then(statement::claim(self.audit, &self.formulas, proposition))
+            .words(format!("”, it is {said}"));
+        // The first fact, and what is known of the box.
+        let in_box = |f: &Fact| matches!(f, Fact::Sign(_, _, Scope::Box(_)));
+        let shown = statement::facts(self.audit, &self.formulas, outcome);
+        let facts = outcome.facts.iter().zip(shown).enumerate();
+        let facts = facts.filter(|(k, (fact, _))| *k == 0 || in_box(fact));
+        let facts: Vec<Prose> = facts.take(2).map(|(_, (_, words))| words).collect();
+        match facts.is_empty() {
+            true => line,
+            false => line.words(": ").then(Prose::joined(facts, "; ")),
         }
     }
 

@@ -42,15 +42,15 @@ pub(super) fn write(tex: &mut Tex, paper: &Paper, inspections: &[Inspection]) {
     ));
     if !named.is_empty() {
         line = line.words(format!(
-            "; {} only give names their values, which the others use: {}",
-            named.len(),
+            "; {} names their values, which the others use: {}",
+            verb(named.len(), "only gives", "only give"),
             listed(&named)
         ));
     }
     if !recalled.is_empty() {
         line = line.words(format!(
-            "; {} are stated without anything to check: {}",
-            recalled.len(),
+            "; {} stated without anything to check: {}",
+            verb(recalled.len(), "is", "are"),
             listed(&recalled)
         ));
     }
