@@ -37,8 +37,13 @@ pub(super) fn write(tex: &mut Tex, paper: &Paper, inspections: &[Inspection]) {
         let numbers: Vec<String> = numbers.iter().map(|n| format!("({n})")).collect();
         numbers.join(", ")
     };
+    let verb = |n: usize, one: &str, many: &str| match n {
+        1 => format!("one {one}"),
+        n => format!("{n} {many}"),
+    };
     let mut line = Prose::of(format!(
-        "Of these, {checked} say something that was checked"
+        "Of these, {} something that was checked",
+        verb(checked, "says", "say")
     ));
     if !named.is_empty() {
         line = line.words(format!(
