@@ -260,3 +260,42 @@ fn sentences_are_sorted_by_how_they_fall_short() {
     assert_eq!(labels(&sheet.partly), ["partly"]);
     assert_eq!(labels(&sheet.nearly), ["readings"]);
 }
+
+/// One slip in a definition makes two claims false: the sheet mends the definition, once.
+#[test]
+fn a_slip_in_a_definition_stands_with_the_definition() {
+    let text = r"
+```toml symbols
+a = { value = '1', meaning = 'a number' }
+b = { value = '2', meaning = 'a number' }
+d = { value = '3', meaning = 'a number' }
+```
+```math 1 define
+\mathbf{M} = \begin{bmatrix} a & 2b \\ b & d \end{bmatrix}
+```
+```math 2 claim
+\det \mathbf{M} = ad - (b + b)(b + b)
+```
+```math 3 claim
+(\det\mathbf{M} - ad)^2 = (b + b)^2(b + b)^2
+```
+";
+    let sheet = sheet(text);
+    let [one] = &sheet.errata[..] else {
+        panic!("{sheet:?}");
+    };
+    assert_eq!(one.location, "(1)");
+    let corrected = one.corrected.as_deref().expect("a correction");
+    assert_eq!(corrected.matches("2").count(), 2, "{corrected}");
+    let why: Vec<String> = one.why.iter().map(|why| why.to_plain()).collect();
+    assert!(
+        why[0].starts_with("(2): ") && why[1].starts_with("(3): "),
+        "{why:?}"
+    );
+    // ad - 2b^2 = -5 instead of ad - 4b^2 = -13.
+    let effect = one.effects[0].to_plain();
+    assert!(
+        effect.starts_with("(2): printed/correct") && effect.contains("-8/13"),
+        "{effect}"
+    );
+}

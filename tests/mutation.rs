@@ -600,3 +600,26 @@ fn an_inequality_that_is_true_as_well_is_no_survivor() {
     let blind = blind.unwrap_or_else(|rejection| panic!("{rejection}"));
     assert!(total(&blind).survived >= count(&sound, refuted));
 }
+
+/// Twice what grows without bound grows without bound: true as well, and confirmed at points; what
+/// stays finite is refuted.
+#[test]
+fn a_limit_that_is_true_as_well_is_no_survivor() {
+    let mutation = mutation(
+        r#"
+```toml symbols
+x = { positive = true, value = "1", meaning = "a wave number" }
+c = { positive = true, value = "2", meaning = "a constant" }
+```
+```math 1 claim
+\int_0^\infty \frac{c}{x^2} dx \to \infty
+```
+```math 2 claim
+x \to 0, \quad \frac{c}{x} \to \infty
+```
+"#,
+    );
+    let tally = total(&mutation);
+    assert_eq!(tally.survived, 0, "{:?}", faults(&mutation));
+    assert!(tally.refuted > 10 && tally.equivalent > 10, "{tally:?}");
+}

@@ -8,13 +8,15 @@
 use super::identity::{insert, letters_of};
 use super::statement::Ground;
 use super::{Checker, Options};
-use crate::model::{Letter, Model};
+use crate::expr::Expr;
+use crate::model::{Letter, Model, Node};
 use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::Scope;
 use crate::verdict::{Correction, Outcome, ResidualEntry, Verdict};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use ratpoly::RationalFunction;
+use std::collections::BTreeSet;
 
 /// The two values of a false equation at the reference point.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,6 +86,18 @@ pub enum Side {
 pub fn wrong_side(model: &Model, outcome: &Outcome, correction: &Correction) -> Option<Side> {
     let equation = &model.equations[outcome.equation];
     let link = equation.links.get(outcome.member - 1)?;
+    if let Some((definition, _)) = correction.definition {
+        // What does not rest on the definition is right.
+        let rests = |place: crate::model::links::Place| {
+            let side = place.find(&equation.display)?;
+            Some(rests_on(model, side, definition))
+        };
+        return match (rests(link.left)?, rests(link.right)?) {
+            (true, false) => Some(Side::Left),
+            (false, true) => Some(Side::Right),
+            _ => None,
+        };
+    }
     let within = |place: crate::model::links::Place| {
         let side = place.find(&equation.display)?.span;
         let mut edits = correction.edits.iter();
@@ -94,6 +108,25 @@ pub fn wrong_side(model: &Model, outcome: &Outcome, correction: &Correction) -> 
         (false, true) => Some(Side::Right),
         _ => None,
     }
+}
+
+/// Whether the value of an expression is computed from what an equation defines.
+fn rests_on(model: &Model, expr: &Expr, equation: usize) -> bool {
+    let mut used = BTreeSet::new();
+    model.collect(expr, &mut used);
+    let mut open: Vec<Node> = used.iter().copied().collect();
+    while let Some(node) = open.pop() {
+        let defined_in = match node {
+            Node::Definition(d) => Some(model.definitions[d].equation),
+            Node::Unknown { system, .. } => Some(model.systems[system].equation),
+            _ => None,
+        };
+        if defined_in == Some(equation) {
+            return true;
+        }
+        open.extend(model.needs(node).into_iter().filter(|n| used.insert(*n)));
+    }
+    false
 }
 
 /// How far a misprint takes a value from the true one.

@@ -211,57 +211,84 @@ impl Checker<'_> {
         let left = link.left.find(display)?;
         let right = link.right.find(display)?;
         let infinite = right.kind == ExprKind::Infinity;
-        let Some(approach) = self.approach(display, link) else {
-            let (body, variable, ends) = infinite_integral(left)?;
-            let Ok(Resolved::Letter { symbol, order: 0 }) =
-                self.model.resolve(&variable, &|_| false)
-            else {
-                return None;
+        let approach = self.approach(display, link);
+        if approach.is_none() && !infinite {
+            return None;
+        }
+        let mut case = 0;
+        // What is defined by cases has to tend there in each.
+        loop {
+            self.exact.cases_met = 0;
+            let looks = match &approach {
+                None => self.integral_at_points(left, case),
+                Some(approach) => self.limit_at_points([left, right], approach, infinite, case),
             };
-            let grows = |checker: &mut Self, towards| {
-                let near = checker.at_point(&body, symbol, towards, NEAR)?;
-                let far = checker.at_point(&body, symbol, towards, FAR)?;
-                let [(near, at), (far, beyond)] = [near, far];
-                Some(near.is_positive() && far * beyond >= near * at)
-            };
-            let found: Vec<bool> = ends
-                .into_iter()
-                .filter_map(|end| grows(self, end))
-                .collect();
-            return (!found.is_empty()).then(|| found.contains(&true));
-        };
+            let cases = std::mem::take(&mut self.exact.cases_met);
+            case += 1;
+            match looks {
+                Some(true) if case < cases => {}
+                looks => return looks,
+            }
+        }
+    }
+
+    fn limit_at_points(
+        &mut self,
+        [left, right]: [&Expr; 2],
+        approach: &Approach,
+        infinite: bool,
+        case: usize,
+    ) -> Option<bool> {
         let mut moving = left.clone();
-        set_moving(&mut moving, &approach, &mut false);
-        let (near, _) = self.at_point(&moving, approach.symbol, approach.towards, NEAR)?;
-        let (far, _) = self.at_point(&moving, approach.symbol, approach.towards, FAR)?;
+        set_moving(&mut moving, approach, &mut false);
+        let mut at = |expr: &Expr, power| {
+            let point = self.at_point(expr, approach.symbol, approach.towards, power, case);
+            Some(point?.0)
+        };
+        let (near, far) = (at(&moving, NEAR)?, at(&moving, FAR)?);
         if infinite {
             return Some(near.is_positive() && far > near);
         }
-        let (there, _) = self.at_point(right, approach.symbol, approach.towards, FAR)?;
+        let there = at(right, FAR)?;
         let (near, far) = ((near - &there).abs(), (far - &there).abs());
         Some(far.is_zero() || far < near)
     }
 
+    fn integral_at_points(&mut self, expr: &Expr, case: usize) -> Option<bool> {
+        let (body, variable, ends) = infinite_integral(expr)?;
+        let Ok(Resolved::Letter { symbol, order: 0 }) = self.model.resolve(&variable, &|_| false)
+        else {
+            return None;
+        };
+        let mut grows = |towards: Towards| {
+            let (near, at) = self.at_point(&body, symbol, towards, NEAR, case)?;
+            let (far, beyond) = self.at_point(&body, symbol, towards, FAR, case)?;
+            Some(near.is_positive() && far * beyond >= near * at)
+        };
+        let found: Vec<bool> = ends.into_iter().filter_map(&mut grows).collect();
+        (!found.is_empty()).then(|| found.contains(&true))
+    }
+
     /// The value of an expression where a symbol is a power of four on its way to zero or to infinity
-    /// and all others are at the reference point, with the symbol's own value.
+    /// and all others are at the reference point, with the symbol's own value; where it is irrational,
+    /// the middle of an interval around it.
     fn at_point(
         &mut self,
         expr: &Expr,
         symbol: usize,
         towards: Towards,
         power: usize,
+        case: usize,
     ) -> Option<(BigRational, BigRational)> {
         let letter = self.model.letter_of_symbol(symbol, 0)?;
-        self.exact.cases_met = 0;
+        self.exact.case = case;
         let value = self.exact.expression(expr);
-        let cases = std::mem::take(&mut self.exact.cases_met);
+        self.exact.case = 0;
         let Ok(Value::Scalar(value)) = value else {
             return None;
         };
-        if cases > 0 {
-            return None;
-        }
-        let value = self.spelt_out(&self.table(), &value)?;
+        let table = self.table();
+        let value = self.spelt_out(&table, &value)?;
         let large = num_traits::pow(BigRational::from_integer(4.into()), power);
         let at = match towards {
             Towards::Zero => large.recip(),
@@ -275,7 +302,11 @@ impl Checker<'_> {
             }
         }
         point[letter] = Some(at.clone());
-        Some((self.value_at(&value, &point)?, at))
+        let value = match self.value_at(&value, &point) {
+            Some(value) => value,
+            None => table.enclosure(&value, &point)?.middle(),
+        };
+        Some((value, at))
     }
 
     /// The functions of the document, or none.

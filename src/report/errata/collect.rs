@@ -4,6 +4,7 @@ use super::{Erratum, Sentence, Sheet, Unwritten, mark};
 use crate::audit::Audit;
 use crate::check::effect::{BOX, Change, Changes};
 use crate::document::{Settings, Text, VerdictWord};
+use crate::expr::Display;
 use crate::model::Equation;
 use crate::model::links::Place;
 use crate::report::algebraic::{equals, shown};
@@ -133,7 +134,13 @@ impl Collector<'_> {
             if part_of_paper && !numbered && settings.quote.is_none() {
                 continue;
             }
-            let wrong: Vec<&Outcome> = outcomes.iter().copied().filter(|o| is_false(o)).collect();
+            // What a slip in a definition makes false stands with the definition.
+            let wrong: Vec<&Outcome> = outcomes
+                .iter()
+                .copied()
+                .filter(|o| is_false(o) && corrected_definition(o).is_none())
+                .collect();
+            sheet.errata.extend(self.definition(index));
             if !wrong.is_empty() {
                 let erratum = self.erratum(equation, &wrong);
                 match &settings.quote {
@@ -270,6 +277,43 @@ impl Collector<'_> {
         let model = &self.audit.model;
         let index = model.equation(&settings.instead.as_ref()?.text)?;
         Some(&model.equations[index])
+    }
+
+    /// The slip in a definition that makes some claims false.
+    fn definition(&self, index: usize) -> Option<Erratum> {
+        let of = |o: &&Outcome| corrected_definition(o).is_some_and(|(d, _)| d == index);
+        let claims: Vec<&Outcome> = self.audit.outcomes.iter().filter(of).collect();
+        let (first, equation) = (claims.first()?, &self.audit.model.equations[index]);
+        let Verdict::Misprint { correction, .. } = &first.verdict else {
+            return None;
+        };
+        let (_, display) = corrected_definition(first)?;
+        let body = self.body_of(equation);
+        let pair = [&equation.display, display];
+        let signature = &self.audit.model.signature;
+        let [printed, corrected] = mark::displays(&body.text, body.span.start, pair, signature);
+        let slip = Prose::of(classes(&correction.edits))
+            .words(format!("; {}", uniqueness(correction)))
+            .words("; what rests on it is true then");
+        let named = |outcome: &Outcome, rest: Prose| {
+            Prose::of(format!("({}): ", number_of(self.audit, outcome))).then(rest)
+        };
+        let why = claims.iter().map(|o| named(o, self.why(o)));
+        let effects = claims
+            .iter()
+            .filter_map(|o| Some(named(o, effect(&self.changes.by(o))?)));
+        let settings = &equation.settings;
+        Some(Erratum {
+            location: location(equation),
+            printed,
+            corrected: Some(corrected),
+            mended: true,
+            corrections: vec![slip],
+            why: why.collect(),
+            effects: effects.collect(),
+            source: source(settings),
+            note: settings.note.as_ref().map(prose),
+        })
     }
 
     fn erratum(&self, equation: &Equation, wrong: &[&Outcome]) -> Erratum {
@@ -414,6 +458,17 @@ fn is_false(outcome: &Outcome) -> bool {
         outcome.verdict,
         Verdict::Misprint { .. } | Verdict::Refuted(_)
     )
+}
+
+/// The definition that is corrected instead of a claim, and how it should read.
+fn corrected_definition(outcome: &Outcome) -> Option<(usize, &Display)> {
+    match &outcome.verdict {
+        Verdict::Misprint { correction, .. } => {
+            let (definition, display) = correction.definition.as_ref()?;
+            Some((*definition, display))
+        }
+        _ => None,
+    }
 }
 
 fn is_true(outcome: &Outcome) -> bool {
