@@ -99,6 +99,75 @@ fn the_example_is_checked_as_shown() {
     assert_eq!(output.status.code(), Some(0));
 }
 
+/// The figures take minutes: what is stored is what the command beside it printed.
+#[test]
+fn the_figures_of_honesty_are_the_stored_ones() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let stored = std::fs::read_to_string(root.join("tests/golden/mutation.txt")).expect("a file");
+    let (command, table) = stored.split_once('\n').expect("the command and the table");
+    let text = readme();
+    let shown = fence_after(&text, "<!-- table: tests/golden/mutation.txt -->");
+    assert_eq!(table.trim(), shown.trim());
+    let command = command.trim_start_matches("# ");
+    assert!(text.contains(&format!("`{command}`")), "{command}");
+    // The command is one that the program takes; it is given no mutant to try.
+    let arguments: Vec<&str> = command
+        .split(' ')
+        .skip(1)
+        .take_while(|a| *a != "|")
+        .collect();
+    let all: Vec<&str> = arguments
+        .iter()
+        .map(|a| if *a == "100" { "0" } else { a })
+        .collect();
+    let lens = folder("readme-mutation").join("lens.md");
+    std::fs::write(&lens, fence_after(&text, "Save this as `lens.md`")).expect("a file");
+    let path = lens.display().to_string();
+    let swapped: Vec<&str> = all
+        .iter()
+        .map(|a| {
+            if a.starts_with("proofs") {
+                &path[..]
+            } else {
+                a
+            }
+        })
+        .collect();
+    assert_eq!(
+        rederive(root, &swapped).status.code(),
+        Some(0),
+        "{swapped:?}"
+    );
+    // In every row each mutant has one fate, and none has survived.
+    let rows = table
+        .lines()
+        .filter(|l| l.starts_with(' ') && !l.contains("mutants"));
+    let mut count = 0;
+    for row in rows {
+        let numbers: Vec<usize> = row.split_whitespace().flat_map(str::parse).collect();
+        let [
+            mutants,
+            refuted,
+            meaningless,
+            equivalent,
+            undecided,
+            survived,
+            ..,
+        ] = numbers[..]
+        else {
+            panic!("{row}");
+        };
+        assert_eq!(
+            mutants,
+            refuted + equivalent + undecided + survived,
+            "{row}"
+        );
+        assert!(meaningless <= refuted && survived == 0, "{row}");
+        count += 1;
+    }
+    assert!(count > 5);
+}
+
 #[test]
 fn bad_input_has_its_exit_code() {
     let folder = folder("readme-bad-input");
