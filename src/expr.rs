@@ -150,6 +150,16 @@ pub enum Function {
     Cosine,
     /// `\sin`
     Sine,
+    /// `\tan`
+    Tangent,
+    /// `\cot`
+    Cotangent,
+    /// `\cosh`
+    HyperbolicCosine,
+    /// `\sinh`
+    HyperbolicSine,
+    /// `\tanh`
+    HyperbolicTangent,
     /// `\exp`
     Exponential,
     /// `\ln` or `\log`
@@ -158,6 +168,25 @@ pub enum Function {
     SquareRoot,
     /// `|x|`
     Absolute,
+}
+
+impl Function {
+    /// Whether it is written before its argument without brackets, and gives numbers for numbers.
+    pub fn is_elementary(self) -> bool {
+        use Function::*;
+        matches!(
+            self,
+            Cosine
+                | Sine
+                | Tangent
+                | Cotangent
+                | HyperbolicCosine
+                | HyperbolicSine
+                | HyperbolicTangent
+                | Exponential
+                | Logarithm
+        )
+    }
 }
 
 /// What is printed.

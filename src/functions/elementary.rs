@@ -64,6 +64,25 @@ impl FunctionTable {
             Function::Exponential => self.exponential(argument),
             Function::Cosine => Ok(self.cosine_and_sine(argument)?.0),
             Function::Sine => Ok(self.cosine_and_sine(argument)?.1),
+            Function::Tangent | Function::Cotangent => {
+                let (cosine, sine) = self.cosine_and_sine(argument)?;
+                let quotient = match function {
+                    Function::Tangent => sine.checked_div(&cosine)?,
+                    _ => cosine.checked_div(&sine)?,
+                };
+                Ok(self.reduce(quotient))
+            }
+            Function::HyperbolicCosine | Function::HyperbolicSine | Function::HyperbolicTangent => {
+                let up = self.exponential(argument)?;
+                let down = self.reduce(up.inverse()?);
+                let (sum, difference) = (&up + &down, &up - &down);
+                let two = self.integer(2);
+                Ok(self.reduce(match function {
+                    Function::HyperbolicCosine => sum.checked_div(&two)?,
+                    Function::HyperbolicSine => difference.checked_div(&two)?,
+                    _ => difference.checked_div(&sum)?,
+                }))
+            }
             Function::SquareRoot => self.square_root(argument),
             Function::Absolute => self.absolute(argument),
             Function::Logarithm => self.logarithm(argument),
@@ -522,6 +541,9 @@ impl FunctionTable {
 /// The polynomial whose square this is, if it is one, up to sign.
 pub(super) fn square_root_of(square: &Polynomial) -> Option<Polynomial> {
     let factorization = square.square_free_factorization();
+    if factorization.content.is_negative() {
+        return None;
+    }
     let root = factorization.content.sqrt();
     if &root * &root != factorization.content {
         return None;

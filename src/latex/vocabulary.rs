@@ -110,6 +110,11 @@ pub(super) fn function(command: &str) -> Option<Function> {
         "Im" => Function::ImaginaryPart,
         "cos" => Function::Cosine,
         "sin" => Function::Sine,
+        "tan" => Function::Tangent,
+        "cot" => Function::Cotangent,
+        "cosh" => Function::HyperbolicCosine,
+        "sinh" => Function::HyperbolicSine,
+        "tanh" => Function::HyperbolicTangent,
         "exp" => Function::Exponential,
         "ln" | "log" => Function::Logarithm,
         "sqrt" => Function::SquareRoot,
@@ -121,7 +126,8 @@ pub(super) fn function(command: &str) -> Option<Function> {
 pub(super) fn word_function(word: &str) -> Option<Function> {
     Some(match word {
         "tr" | "trace" => Function::Trace,
-        "det" | "Re" | "Im" | "cos" | "sin" | "exp" | "ln" | "log" => return function(word),
+        "det" | "Re" | "Im" | "cos" | "sin" | "tan" | "cot" | "cosh" | "sinh" | "tanh" | "exp"
+        | "ln" | "log" => return function(word),
         _ => return None,
     })
 }

@@ -325,7 +325,15 @@ impl<'n> Checker<'n> {
                 }
                 other => other,
             },
-            Function::Cosine | Function::Sine | Function::Exponential | Function::Logarithm => {
+            Function::Cosine
+            | Function::Sine
+            | Function::Tangent
+            | Function::Cotangent
+            | Function::HyperbolicCosine
+            | Function::HyperbolicSine
+            | Function::HyperbolicTangent
+            | Function::Exponential
+            | Function::Logarithm => {
                 let one = Measure::scalar(Dimension::one(), argument.span);
                 self.argument(&measure, &one);
                 match measure {

@@ -175,6 +175,10 @@ fn neighbour(function: Function) -> Option<Function> {
     Some(match function {
         Function::Cosine => Function::Sine,
         Function::Sine => Function::Cosine,
+        Function::Tangent => Function::Cotangent,
+        Function::Cotangent => Function::Tangent,
+        Function::HyperbolicCosine => Function::HyperbolicSine,
+        Function::HyperbolicSine => Function::HyperbolicCosine,
         Function::RealPart => Function::ImaginaryPart,
         Function::ImaginaryPart => Function::RealPart,
         Function::Determinant => Function::Trace,

@@ -5,6 +5,7 @@ use super::{Parse, Parser, product};
 use crate::expr::{Chain, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
 use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::vocabulary;
+use crate::span::Span;
 
 impl Parser<'_> {
     /// `\frac{a}{b}`; with a `d` above and below, a derivative.
@@ -14,27 +15,17 @@ impl Parser<'_> {
         let numerator = self.argument(false)?;
         let denominator = self.argument(false)?;
         let span = self.since(start);
-        if let Some((order, variable)) = self.differential_below(&denominator) {
-            let variable = Some(variable);
+        if let Some(variables) = self.differentials_below(&denominator) {
+            let order = variables.iter().map(|(order, _)| order).sum();
             if self.differential_above(&numerator) == Some(order) {
-                let body = Box::new(self.term()?);
-                let kind = ExprKind::Derivative {
-                    order,
-                    variable,
-                    body,
-                };
-                return Ok(Expr::new(kind, self.since(start)));
+                let body = self.term()?;
+                return Ok(derivative(variables, body, self.since(start)));
             }
             if let ExprKind::Product(factors) = &numerator.kind
                 && self.differential_above(&factors[0]) == Some(order)
             {
-                let body = Box::new(product(factors[1..].to_vec(), numerator.span));
-                let kind = ExprKind::Derivative {
-                    order,
-                    variable,
-                    body,
-                };
-                return Ok(Expr::new(kind, span));
+                let body = product(factors[1..].to_vec(), numerator.span);
+                return Ok(derivative(variables, body, span));
             }
         }
         if self.at_symbol('^') {
@@ -82,15 +73,18 @@ impl Parser<'_> {
         }
     }
 
-    /// The order and variable of `dt` or `dt^n` below the bar.
-    fn differential_below(&self, expr: &Expr) -> Option<(u8, Name)> {
+    /// The orders and variables of `dt`, `dt^n` or `\partial x \partial y` below the bar.
+    fn differentials_below(&self, expr: &Expr) -> Option<Vec<(u8, Name)>> {
         let ExprKind::Product(factors) = &expr.kind else {
             return None;
         };
-        match factors.as_slice() {
+        let pairs = factors.chunks(2).map(|pair| match pair {
             [d, variable] => self.differential_of(d, variable),
             _ => None,
-        }
+        });
+        let variables: Vec<_> = pairs.collect::<Option<_>>()?;
+        let order: u32 = variables.iter().map(|(order, _)| u32::from(*order)).sum();
+        u8::try_from(order).is_ok().then_some(variables)
     }
 
     fn differential_of(&self, d: &Expr, variable: &Expr) -> Option<(u8, Name)> {
@@ -266,4 +260,19 @@ impl Parser<'_> {
             relations: Vec::new(),
         })
     }
+}
+
+/// The derivative by several variables, the last one first.
+fn derivative(variables: Vec<(u8, Name)>, body: Expr, span: Span) -> Expr {
+    variables
+        .into_iter()
+        .rev()
+        .fold(body, |body, (order, variable)| {
+            let kind = ExprKind::Derivative {
+                order,
+                variable: Some(variable),
+                body: Box::new(body),
+            };
+            Expr::new(kind, span)
+        })
 }

@@ -256,10 +256,7 @@ impl Writer {
             ) => return self.inside().matrix(rows, Bracket::Bar),
             _ => {}
         }
-        let letters = matches!(
-            which,
-            Function::Cosine | Function::Sine | Function::Exponential | Function::Logarithm
-        );
+        let letters = which.is_elementary();
         let bare = match &argument.kind {
             ExprKind::Group { bracket, .. } => *bracket != Bracket::None,
             ExprKind::Matrix { bracket, .. } => *bracket != Bracket::Bar,
