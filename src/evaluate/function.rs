@@ -65,10 +65,14 @@ impl<D: Domain> Evaluator<'_, D> {
         exponent: &Expr,
         failure: Failure,
     ) -> Result<Value<D::Element>> {
-        if self.field.functions().is_none() {
-            return Err(failure);
-        }
         let span = base.span.to(exponent.span);
+        if self.field.functions().is_none() {
+            // Whoever can ask a field with functions must hear that this one has none.
+            return Err(match self.model.functions {
+                Some(_) => Failure::unsupported("a power with such an exponent", span),
+                None => failure,
+            });
+        }
         let Ok(Value::Scalar(power)) = self.expression(exponent) else {
             return Err(failure);
         };
@@ -370,14 +374,26 @@ impl<D: Domain> Evaluator<'_, D> {
         };
         let letter = self.model.letter_of_symbol(symbol, 0);
         let letter = letter.ok_or_else(|| Failure::unsupported("this derivative", span))?;
-        // A hypothesis that gives the letter a value leaves nothing to differentiate by.
+        // Under an integral the letter is the variable of integration. A hypothesis that gives it a
+        // value leaves nothing to differentiate by.
         let own = self.field.partial_derivatives(&self.letters[letter]);
-        if own.is_some_and(|own| own != [(letter, self.field.integer(1))]) {
-            return Err(Failure::unsupported(
-                "a derivative by a letter that a hypothesis replaces",
-                span,
-            ));
-        }
+        let one = self.field.integer(1);
+        let letter = match own.as_deref() {
+            None => letter,
+            Some([(own, slope)])
+                if *slope == one
+                    && (*own == letter
+                        || self.field.functions().is_some_and(|f| f.is_bound(*own))) =>
+            {
+                *own
+            }
+            Some(_) => {
+                return Err(Failure::unsupported(
+                    "a derivative by a letter that a hypothesis replaces",
+                    span,
+                ));
+            }
+        };
         let mut value = value;
         for _ in 0..order {
             value = value.try_map(|entry| self.partial(entry, letter, span))?;

@@ -189,6 +189,10 @@ impl<D: Domain> Evaluator<'_, D> {
         let result = match function {
             Function::Determinant => determinant::determinant(&self.field, &matrix),
             Function::Trace => arithmetic::trace(&self.field, &matrix),
+            // Bars around a square matrix.
+            Function::Absolute if matrix.is_square() && matches!(value, Value::Matrix(_)) => {
+                determinant::determinant(&self.field, &matrix)
+            }
             _ => return self.function_of(function, &value, span),
         };
         result.map(Value::Scalar).ok_or_else(|| {

@@ -36,7 +36,7 @@ impl FunctionTable {
         RationalFunction::constant(self.ring, value)
     }
 
-    fn integer(&self, value: i64) -> RationalFunction {
+    pub(super) fn integer(&self, value: i64) -> RationalFunction {
         self.constant(BigRational::from_integer(value.into()))
     }
 
@@ -335,7 +335,8 @@ impl FunctionTable {
             .imaginary_letter()
             .is_some_and(|i| f.numerator().degree(i) > Some(0))
         {
-            return Err(Impossible::unsupported("the modulus of a complex number"));
+            let (real, imaginary) = self.real_and_imaginary(f)?;
+            return self.square_root(&self.reduce(&(&real * &real) + &(&imaginary * &imaginary)));
         }
         let split = self.split(f)?;
         let mut value = self.constant(split.content.abs());

@@ -3,8 +3,9 @@
 //! Powers of the variable have an antiderivative; an even rational function over the whole or half
 //! axis goes by [spectral factorisation](crate::theory::spectral_factor) and the [Hurwitz
 //! formula](crate::theory::hurwitz_integral); times a cosine by the [cosine
-//! transform](crate::theory::cosine_transform), a constant giving pi times a Dirac distribution. An
-//! integral that diverges is said to, with the reason.
+//! transform](crate::theory::cosine_transform), a constant giving pi times a Dirac distribution;
+//! exponential polynomials go [by undetermined coefficients](super::exponential_integral). An integral
+//! that diverges is said to, with the reason.
 
 use super::{FunctionLetter, FunctionTable, Impossible, Possible};
 use crate::domain::Symbolic;
@@ -95,6 +96,15 @@ impl FunctionTable {
         if powers_only && let Some(terms) = self.power_terms(integrand, variable)? {
             return self.integral_of_powers(&terms, from, to);
         }
+        if let Some(value) = self.with_modulus(integrand, variable, from, to)? {
+            return Ok(value);
+        }
+        if !kernels.is_empty()
+            && let Some(value) =
+                self.integral_of_exponentials(integrand, variable, &kernels, from, to)?
+        {
+            return Ok(value);
+        }
         let Some(half) = half else {
             return Err(Impossible::unsupported(
                 "an integral of this integrand between these limits",
@@ -105,6 +115,31 @@ impl FunctionTable {
             return self.over_axis(&value, half);
         }
         self.integral_with_cosine(integrand, variable, &kernels, half)
+    }
+
+    /// An integral over the whole axis in which the variable's modulus occurs: one over each half.
+    fn with_modulus(
+        &self,
+        integrand: &RationalFunction,
+        variable: usize,
+        from: &End<RationalFunction>,
+        to: &End<RationalFunction>,
+    ) -> Possible<Option<RationalFunction>> {
+        let x = self.variable(variable);
+        let root = FunctionLetter::Root(x.numerator() * x.numerator());
+        let modulus = self
+            .letters_behind(integrand)
+            .into_iter()
+            .find(|letter| self.meaning(*letter).as_ref() == Some(&root));
+        let Some(modulus) = modulus.filter(|_| (from, to) == (&End::Below, &End::Above)) else {
+            return Ok(None);
+        };
+        let mut sum = self.integer(0);
+        for side in [x.clone(), -&x] {
+            let half = self.substitute(integrand, &[(modulus, x.clone()), (variable, side)])?;
+            sum = &sum + &self.integral(&half, variable, &End::At(self.integer(0)), &End::Above)?;
+        }
+        Ok(Some(self.reduce(sum)))
     }
 
     /// The functions of the variable that occur.

@@ -15,6 +15,7 @@
 mod calculus;
 mod elementary;
 pub mod enclosure;
+mod exponential_integral;
 pub mod integral;
 pub mod quadratic;
 mod sign;
@@ -128,6 +129,8 @@ pub trait Functions<E> {
     fn dirac(&self, argument: &E) -> Possible<E>;
     /// The variable of an integral inside `depth` others.
     fn bound(&self, depth: usize, positive: bool) -> Possible<E>;
+    /// Whether a letter is the variable of an integral.
+    fn is_bound(&self, letter: usize) -> bool;
     /// An integral over such a variable.
     fn integral(&self, integrand: &E, variable: &E, from: &End<E>, to: &End<E>) -> Possible<E>;
     /// The chain rule for a letter that stands for a function.
@@ -348,6 +351,9 @@ impl Functions<RationalFunction> for FunctionTable {
     }
     fn bound(&self, depth: usize, positive: bool) -> Possible<RationalFunction> {
         FunctionTable::bound(self, depth, positive)
+    }
+    fn is_bound(&self, letter: usize) -> bool {
+        matches!(self.meaning(letter), Some(FunctionLetter::Bound { .. }))
     }
     fn integral(
         &self,

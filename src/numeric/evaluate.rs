@@ -251,7 +251,9 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
 
     fn call(&mut self, function: Function, argument: &Expr, span: Span) -> Result<Value, Failure> {
         let value = self.expression(argument)?;
-        if matches!(function, Function::Determinant | Function::Trace) {
+        // Bars around a matrix mean its determinant.
+        let bars = function == Function::Absolute && matches!(value, Value::Matrix(_));
+        if bars || matches!(function, Function::Determinant | Function::Trace) {
             let matrix = square(value, span)?;
             return match function {
                 Function::Trace => Ok(matrix.trace()),

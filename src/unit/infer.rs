@@ -314,6 +314,9 @@ impl<'n> Checker<'n> {
                 }
                 _ => Measure::Opaque,
             },
+            Function::Absolute if matches!(measure, Measure::Matrix { .. }) => {
+                self.determinant(&measure, span)
+            }
             Function::RealPart | Function::ImaginaryPart | Function::Absolute => measure,
             Function::SquareRoot => match measure {
                 Measure::Scalar(_) => {
