@@ -89,7 +89,8 @@ impl Units {
 
     /// A function of a letter; an argument must have that letter's unit.
     pub fn declare_function(&mut self, function: &Name, letter: &Name) {
-        self.names.arguments.insert(key(function), key(letter));
+        let function = self.accents.named(function);
+        self.names.arguments.insert(key(&function), key(letter));
     }
 
     /// A name with a meaning by convention; the indices of a pattern stand for any.

@@ -181,7 +181,7 @@ fn bad_input_has_its_exit_code() {
         assert!(told.contains(file), "{file}: {told}");
     }
     // The length of a cosine's graph is outside of what is decided.
-    let odd = "```toml symbols\nx = { meaning = \"\" }\n```\n```math 1 claim\nx = \\int_0^1 \\cos x \\, dx\n```\n";
+    let odd = "```toml symbols\nx = { meaning = \"\" }\n```\n```math 1 claim\nx = \\int_0^1 \\sqrt{1 + \\sin^2 x} \\, dx\n```\n";
     std::fs::write(folder.join("odd.md"), odd).expect("a file");
     assert_eq!(
         rederive(&folder, &["check", "odd.md"]).status.code(),

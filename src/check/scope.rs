@@ -167,7 +167,7 @@ impl Checker<'_> {
     }
 
     /// In how many places the units of an equation do not fit if it reads so.
-    fn unit_findings(&self, equation: usize, display: &Display) -> usize {
+    pub(super) fn unit_findings(&self, equation: usize, display: &Display) -> usize {
         let model = self.model;
         let mut units = crate::unit::Units::of(model);
         let shown = |e: usize| {

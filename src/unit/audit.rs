@@ -39,6 +39,11 @@ impl Units {
                 units.declare_function(&symbol.name, letter);
             }
         }
+        for definition in &model.definitions {
+            if let [letter] = &definition.arguments[..] {
+                units.declare_function(&definition.name, letter);
+            }
+        }
         // What else determines a covariance tells its units too.
         let elsewhere: Vec<usize> = model.covariances().map(|(n, ..)| n).collect();
         let own = model.notation.iter().enumerate();

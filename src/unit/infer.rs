@@ -489,11 +489,13 @@ impl<'n> Checker<'n> {
     /// The arguments of a function must measure what it is declared a function of.
     fn arguments(&mut self, function: &Name, arguments: &[Expr]) {
         let letter = self.names.arguments.get(&key(function)).cloned();
+        let named = |a: &&Expr| matches!(a.kind, ExprKind::Named { .. });
+        let alone = arguments.len() - arguments.iter().filter(named).count() == 1;
         for argument in arguments {
             let measure = self.measure(argument);
             let declared = match &argument.kind {
                 ExprKind::Named { name, .. } => Some(self.name(name, argument.span)),
-                _ if arguments.len() == 1 => letter
+                _ if alone => letter
                     .as_ref()
                     .and_then(|letter| self.names.bindings.get(letter))
                     .map(|binding| binding.measure.clone()),

@@ -76,6 +76,39 @@ impl Candidate {
 /// A correction with its proof.
 pub(crate) type Found = (Correction, Certificate);
 
+/// The best correction so far of those in which units do not fit, and in how many places.
+#[derive(Default)]
+struct Best {
+    found: Option<(Found, usize)>,
+}
+
+impl Best {
+    /// A correction in which all units fit ends the search; others wait for what costs more: a letter
+    /// for another of a different unit is no slip where two others leave the units right.
+    fn among(
+        &mut self,
+        checker: &Checker<'_>,
+        equation: usize,
+        found: Option<Found>,
+    ) -> Option<Found> {
+        let (mut correction, proof) = found?;
+        let misfits = checker.unit_findings(equation, &correction.display);
+        match &self.found {
+            Some((_, before)) if misfits >= *before => None,
+            before => {
+                if before.is_some() {
+                    correction.preferred = Some(Preferred::Units);
+                }
+                if misfits == 0 {
+                    return Some((correction, proof));
+                }
+                self.found = Some(((correction, proof), misfits));
+                None
+            }
+        }
+    }
+}
+
 /// A correction that was proved.
 struct Proved {
     candidate: Candidate,
@@ -112,7 +145,9 @@ impl<'m> Checker<'m> {
         first.extend(singles.iter().map(Candidate::single));
         let mut passing = trial.passing(first);
         passing.extend(trial.solved(&context));
-        if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
+        let mut best = Best::default();
+        let found = self.prove(equation, link, passing, &singles, &trial);
+        if let Some(found) = best.among(self, equation, found) {
             return Ok(found);
         }
         // One slip repeated: a lost dot in each row, both indices of a formula.
@@ -132,14 +167,21 @@ impl<'m> Checker<'m> {
             }
         }
         let passing = trial.passing(repeated);
-        if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
+        let found = self.prove(equation, link, passing, &singles, &trial);
+        if let Some(found) = best.among(self, equation, found) {
             return Ok(found);
         }
-        if let Some(found) = self.by_definition(equation, link, trial.tried, budget, None) {
+        if best.found.is_none()
+            && let Some(found) = self.by_definition(equation, link, trial.tried, budget, None)
+        {
             return Ok(found);
         }
         let passing = trial.pairs(&singles);
-        if let Some(found) = self.prove(equation, link, passing, &singles, &trial) {
+        let found = self.prove(equation, link, passing, &singles, &trial);
+        if let Some(found) = best.among(self, equation, found) {
+            return Ok(found);
+        }
+        if let Some((found, _)) = best.found {
             return Ok(found);
         }
         searched.tried = trial.tried.min(budget);
