@@ -202,6 +202,8 @@ fn the_damaged_text_has_the_same_verdicts() {
                     });
                     assert!(rejected || no_claim, "{}: {tried:?}", document.name);
                 }
+                // In print a matrix at what is none of its arguments is a product.
+                Fate::Undecided(why) if why.starts_with("a function at another argument") => {}
                 Fate::Equivalent(_) | Fate::Undecided(_) | Fate::Survived => {
                     assert!(!rejected, "{}: {tried:?}", document.name);
                 }
