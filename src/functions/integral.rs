@@ -4,7 +4,7 @@
 //! axis goes by [spectral factorisation](crate::theory::spectral_factor) and the [Hurwitz
 //! formula](crate::theory::hurwitz_integral); times a cosine by the [cosine
 //! transform](crate::theory::cosine_transform), a constant giving pi times a Dirac distribution;
-//! exponential polynomials go [by undetermined coefficients](super::exponential_integral). An integral
+//! exponential polynomials go by undetermined coefficients (`exponential_integral`). An integral
 //! that diverges is said to, with the reason.
 
 use super::{FunctionLetter, FunctionTable, Impossible, Possible};

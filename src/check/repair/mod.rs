@@ -76,14 +76,16 @@ impl Candidate {
 /// A correction with its proof.
 pub(crate) type Found = (Correction, Certificate);
 
-/// The best correction so far of those in which units do not fit, and in how many places.
-#[derive(Default)]
+/// The best correction so far of those that put in units that do not fit, and in how many places they
+/// do not.
 struct Best {
+    /// In how many places they do not fit as printed.
+    printed: usize,
     found: Option<(Found, usize)>,
 }
 
 impl Best {
-    /// A correction in which all units fit ends the search; others wait for what costs more: a letter
+    /// A correction that puts in no misfit of units ends the search; others wait for what costs more: a letter
     /// for another of a different unit is no slip where two others leave the units right.
     fn among(
         &mut self,
@@ -99,7 +101,7 @@ impl Best {
                 if before.is_some() {
                     correction.preferred = Some(Preferred::Units);
                 }
-                if misfits == 0 {
+                if misfits <= self.printed {
                     return Some((correction, proof));
                 }
                 self.found = Some(((correction, proof), misfits));
@@ -145,7 +147,10 @@ impl<'m> Checker<'m> {
         first.extend(singles.iter().map(Candidate::single));
         let mut passing = trial.passing(first);
         passing.extend(trial.solved(&context));
-        let mut best = Best::default();
+        let mut best = Best {
+            printed: self.unit_findings(equation, &display),
+            found: None,
+        };
         let found = self.prove(equation, link, passing, &singles, &trial);
         if let Some(found) = best.among(self, equation, found) {
             return Ok(found);
