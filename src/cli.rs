@@ -190,9 +190,12 @@ fn audits(
 ) -> io::Result<(Vec<Audit>, usize)> {
     let documents = input::read(paths);
     watch.begin("checking", documents.len());
-    let found = in_parallel(documents, |document| {
+    let found = in_parallel(&documents, |document| {
         let begun = !watch.stop();
-        let audit = begun.then(|| document.and_then(|d| Audit::of(&d, options)));
+        let audit = begun.then(|| match document {
+            Ok(document) => Audit::of(document, options),
+            Err(rejection) => Err(rejection.clone()),
+        });
         watch.advance();
         audit
     });

@@ -176,12 +176,13 @@ impl Comparison {
             &format!("{}: in floating point", model.document.name),
             points.len(),
         );
-        let found = in_parallel(points.iter().enumerate().collect(), |(p, named)| {
+        let numbered: Vec<_> = points.iter().enumerate().collect();
+        let found = in_parallel(&numbered, |(p, named)| {
             if watch.stop() {
                 return None;
             }
             let rows = rows_at(
-                p,
+                *p,
                 named,
                 model,
                 &abbreviations,

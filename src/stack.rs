@@ -3,12 +3,11 @@
 //! Definitions may need each other in long chains, and expressions nest; a test or a caller's
 //! thread may have two megabytes. The memory is only reserved, not used, unless it is needed.
 //!
-//! The threads of the pool behind [`in_parallel`] never wait for others outside of it: what runs on them may use the pool
-//! again.
+//! Units of work are shared out among such threads by a [`Queue`].
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::cell::Cell;
-use std::sync::OnceLock;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 /// Bytes of stack: a hundred times what the deepest admitted nesting was seen to take.
@@ -48,30 +47,64 @@ pub(crate) fn with_deep_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     }
 }
 
-/// The results of independent work in the order of the items, done by as many threads as there are
-/// processors. Where no thread can be had, the caller's own does it.
-pub(crate) fn in_parallel<I: Send, T: Send>(
-    items: Vec<I>,
-    work: impl Fn(I) -> T + Send + Sync,
-) -> Vec<T> {
-    use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
-    match pool() {
-        Some(pool) => pool.install(|| {
-            // One item at a time: some take a thousand times as long as others.
-            items.into_par_iter().with_max_len(1).map(work).collect()
-        }),
-        None => items.into_iter().map(work).collect(),
+/// Units of work that threads take one after the other, and what came of them.
+pub(crate) struct Queue<T> {
+    next: AtomicUsize,
+    results: Vec<Mutex<Option<T>>>,
+}
+
+impl<T: Send> Queue<T> {
+    /// The number of the next unit; none when all are taken.
+    pub fn take(&self) -> Option<usize> {
+        let unit = self.next.fetch_add(1, Ordering::Relaxed);
+        (unit < self.results.len()).then_some(unit)
+    }
+
+    /// Keeps what came of a unit.
+    pub fn put(&self, unit: usize, result: T) {
+        if let Ok(mut slot) = self.results[unit].lock() {
+            *slot = Some(result);
+        }
+    }
+
+    /// The results in the order of the units, none for those that were left undone. As many threads as
+    /// are asked for, but no more than there are units, run `worker`; a single one is the caller's own.
+    pub fn run(units: usize, threads: usize, worker: impl Fn(&Queue<T>) + Sync) -> Vec<Option<T>> {
+        let queue = Queue {
+            next: AtomicUsize::new(0),
+            results: (0..units).map(|_| Mutex::new(None)).collect(),
+        };
+        match threads.min(units) {
+            0 | 1 => with_deep_stack(|| worker(&queue)),
+            threads => thread::scope(|scope| {
+                for _ in 0..threads {
+                    scope.spawn(|| with_deep_stack(|| worker(&queue)));
+                }
+            }),
+        }
+        let results = queue.results.into_iter();
+        results.map(|slot| slot.into_inner().ok()?).collect()
     }
 }
 
-/// The threads for independent work, with deep stacks.
-fn pool() -> Option<&'static ThreadPool> {
-    static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
-    let build = || {
-        let builder = ThreadPoolBuilder::new().stack_size(STACK);
-        builder.start_handler(|_| DEEP.set(true)).build().ok()
-    };
-    POOL.get_or_init(build).as_ref()
+/// How many threads there are processors for.
+pub(crate) fn processors() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// The results of independent work in the order of the items, done by as many threads as there are
+/// processors; none for an item whose work was left undone.
+pub(crate) fn in_parallel<I: Sync, T: Send>(
+    items: &[I],
+    work: impl Fn(&I) -> Option<T> + Sync,
+) -> Vec<Option<T>> {
+    Queue::run(items.len(), processors(), |queue| {
+        while let Some(unit) = queue.take() {
+            if let Some(result) = work(&items[unit]) {
+                queue.put(unit, result);
+            }
+        }
+    })
 }
 
 #[cfg(test)]
@@ -90,11 +123,12 @@ mod tests {
 
     #[test]
     fn work_in_parallel_keeps_its_order_and_may_be_nested() {
-        let squares = |n: u32| in_parallel((0..n).collect(), |k| depth(10_000) + k * k);
-        let nested = in_parallel((0..40).collect(), |n| with_deep_stack(|| squares(n)));
+        let upto = |n: u32| (0..n).collect::<Vec<u32>>();
+        let squares = |n: u32| in_parallel(&upto(n), |k| Some(depth(10_000) + k * k));
+        let nested = in_parallel(&upto(40), |n| Some(with_deep_stack(|| squares(*n))));
         for (n, found) in nested.iter().enumerate() {
-            let expected: Vec<u32> = (0..n as u32).map(|k| 10_000 + k * k).collect();
-            assert_eq!(*found, expected);
+            let expected = (0..n as u32).map(|k| Some(10_000 + k * k));
+            assert_eq!(*found, Some(expected.collect()));
         }
     }
 

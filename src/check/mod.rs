@@ -54,7 +54,7 @@ impl Default for Options {
         Options {
             repair: true,
             candidates: 2_000_000,
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            threads: crate::stack::processors(),
         }
     }
 }

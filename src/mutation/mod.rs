@@ -25,7 +25,7 @@ use crate::expr::Display;
 use crate::latex;
 use crate::model::Model;
 use crate::progress::Watch;
-use crate::stack::with_deep_stack;
+use crate::stack::{Queue, processors, with_deep_stack};
 use crate::verdict::EditClass;
 use base::Standing;
 use bench::{Bench, Plan};
@@ -54,7 +54,7 @@ impl Default for Options {
             seed: 1,
             repairs: Some(200),
             limit: None,
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            threads: processors(),
         }
     }
 }
@@ -314,11 +314,7 @@ fn in_parallel<T: Send>(
     watch: &(dyn Watch + Sync),
     work: impl Fn(&mut Bench<'_, '_>, usize) -> T + Sync,
 ) -> Vec<Option<T>> {
-    use std::sync::Mutex;
-    use std::sync::atomic::{AtomicUsize, Ordering};
-    let results: Vec<Mutex<Option<T>>> = (0..units).map(|_| Mutex::new(None)).collect();
-    let next = AtomicUsize::new(0);
-    let worker = || {
+    Queue::run(units, threads, |queue| {
         // A model of its own: letters for functions are given out in the order of this thread's work.
         let Ok(model) = Model::build(plan.document) else {
             return;
@@ -326,25 +322,11 @@ fn in_parallel<T: Send>(
         let Ok(mut bench) = Bench::new(plan, &model) else {
             return;
         };
-        while !watch.stop() {
-            let k = next.fetch_add(1, Ordering::Relaxed);
-            if k >= units {
-                break;
-            }
-            let result = work(&mut bench, k);
-            if let Ok(mut slot) = results[k].lock() {
-                *slot = Some(result);
-            }
+        while !watch.stop()
+            && let Some(unit) = queue.take()
+        {
+            queue.put(unit, work(&mut bench, unit));
             watch.advance();
         }
-    };
-    std::thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, units.max(1)) {
-            scope.spawn(|| with_deep_stack(worker));
-        }
-    });
-    results
-        .into_iter()
-        .map(|slot| slot.into_inner().ok().flatten())
-        .collect()
+    })
 }

@@ -8,11 +8,10 @@ use crate::domain::Symbolic;
 use crate::evaluate::Evaluator;
 use crate::expr::Display;
 use crate::model::Model;
-use crate::stack::with_deep_stack;
+use crate::stack::Queue;
 use ratpoly::RationalFunction;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What a thread needs for a checker of its own.
@@ -83,45 +82,37 @@ impl Blocks {
         spent: impl Fn(&R) -> usize + Sync,
     ) -> Vec<R> {
         let blocks = self.units.div_ceil(self.size.max(1));
-        let results: Vec<Mutex<Option<R>>> = (0..blocks).map(|_| Mutex::new(None)).collect();
-        let (next, total) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        let worker = || {
+        let total = AtomicUsize::new(0);
+        let results = Queue::run(blocks, self.threads, |queue| {
             let mut state = start();
             // Blocks are taken in order: what is done at any time are the first ones.
-            while total.load(Ordering::Relaxed) < limit {
-                let block = next.fetch_add(1, Ordering::Relaxed);
-                if block >= blocks {
-                    break;
-                }
+            while total.load(Ordering::Relaxed) < limit
+                && let Some(block) = queue.take()
+            {
                 let result = work(&mut state, self.range(block));
                 total.fetch_add(spent(&result), Ordering::Relaxed);
-                if let Ok(mut slot) = results[block].lock() {
-                    *slot = Some(result);
-                }
+                queue.put(block, result);
             }
-        };
-        if self.threads < 2 {
-            worker();
-        } else {
-            std::thread::scope(|scope| {
-                for _ in 0..self.threads.clamp(1, blocks.max(1)) {
-                    scope.spawn(|| with_deep_stack(worker));
-                }
-            });
-        }
-        let done = results.into_iter().map(|slot| slot.into_inner().ok()?);
-        let mut found = Vec::new();
-        let mut sum = 0;
-        for result in done {
-            let Some(result) = result else { break };
-            if sum >= limit {
-                break;
-            }
-            sum += spent(&result);
-            found.push(result);
-        }
-        found
+        });
+        first_until(results.into_iter().map_while(|result| result), limit, spent)
     }
+}
+
+/// The first results, until what they have `spent` together reaches `limit`.
+pub(super) fn first_until<R>(
+    mut results: impl Iterator<Item = R>,
+    limit: usize,
+    spent: impl Fn(&R) -> usize,
+) -> Vec<R> {
+    let mut sum = 0;
+    let mut found = Vec::new();
+    while sum < limit
+        && let Some(result) = results.next()
+    {
+        sum += spent(&result);
+        found.push(result);
+    }
+    found
 }
 
 #[cfg(test)]

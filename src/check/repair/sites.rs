@@ -3,7 +3,7 @@
 
 use super::evaluators::{ExactFilter, Passing, passes};
 use super::pairs::Table;
-use super::parallel::{Blocks, Seed};
+use super::parallel::{Blocks, Seed, first_until};
 use super::store::{Env, Id, Residue, Shape, Store, same};
 use super::{Candidate, edited};
 use crate::check::edit::{Address, Replacement, sites};
@@ -225,17 +225,7 @@ impl<'r, 'm> Trial<'r, 'm> {
         spent: impl Fn(&R) -> usize + Sync,
     ) -> Vec<R> {
         if self.threads < 2 || units < MANY {
-            let mut found = Vec::new();
-            let mut sum = 0;
-            for unit in 0..units {
-                if sum >= left {
-                    break;
-                }
-                let result = work(self, unit);
-                sum += spent(&result);
-                found.push(result);
-            }
-            return found;
+            return first_until((0..units).map(|unit| work(self, unit)), left, spent);
         }
         let (display, link, limit, seed) = (self.display, self.link, self.limit, &self.seed);
         let blocks = Blocks {
@@ -250,16 +240,7 @@ impl<'r, 'm> Trial<'r, 'm> {
             |trial, range| range.map(|unit| work(trial, unit)).collect::<Vec<R>>(),
             |results| results.iter().map(&spent).sum(),
         );
-        let mut sum = 0;
-        let mut found = Vec::new();
-        for result in results.into_iter().flatten() {
-            if sum >= left {
-                break;
-            }
-            sum += spent(&result);
-            found.push(result);
-        }
-        found
+        first_until(results.into_iter().flatten(), left, spent)
     }
 
     /// Of some candidates, those that are not ruled out.
