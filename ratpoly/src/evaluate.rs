@@ -116,17 +116,6 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// The exponents with which each of these variables occurs.
-    fn exponents_of(&self, variables: &[usize]) -> Vec<BTreeSet<u32>> {
-        let mut sets = vec![BTreeSet::new(); variables.len()];
-        self.for_each_term(|exponents, _| {
-            for (set, &i) in sets.iter_mut().zip(variables) {
-                set.insert(exponents[i]);
-            }
-        });
-        sets
-    }
-
     fn check_point(&self, found: usize) -> Result<(), Error> {
         let expected = self.ring().len();
         if found == expected {

@@ -14,19 +14,19 @@ pub fn quotient(dividend: &BigRational, divisor: &BigRational) -> Option<BigRati
         return None;
     }
     let top = dividend.numer() * divisor.denom();
-    let bottom = dividend.denom() * divisor.numer();
-    Some(match bottom.is_negative() {
-        true => reduced(-top, -bottom),
-        false => reduced(top, bottom),
-    })
+    Some(reduced(top, dividend.denom() * divisor.numer()))
 }
 
-/// A quotient in lowest terms, of which the denominator is positive. Powers of two go first: the
-/// coordinates are often binary fractions.
+/// A quotient in lowest terms; the denominator is not zero. Powers of two go first: coordinates are often
+/// binary fractions.
 pub(crate) fn reduced(numerator: BigInt, denominator: BigInt) -> BigRational {
     if numerator.is_zero() {
         return BigRational::zero();
     }
+    let (numerator, denominator) = match denominator.is_negative() {
+        true => (-numerator, -denominator),
+        false => (numerator, denominator),
+    };
     let twos = |n: &BigInt| n.trailing_zeros().unwrap_or(0);
     let shift = twos(&numerator).min(twos(&denominator));
     let (numerator, denominator) = (numerator >> shift, denominator >> shift);

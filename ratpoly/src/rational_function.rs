@@ -13,7 +13,7 @@ use crate::powers::Powers;
 use crate::ring::Ring;
 use crate::substitute::occurring;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -236,11 +236,7 @@ impl RationalFunction {
             return Err(Error::DivisionByZero);
         }
         let (a, b) = self.numerator.fraction_at(point, &UNLIMITED)?;
-        let (top, bottom) = (a * d, b * c);
-        Ok(match bottom.is_negative() {
-            true => reduced(-top, -bottom),
-            false => reduced(top, bottom),
-        })
+        Ok(reduced(a * d, b * c))
     }
 
     /// Replaces some variables, all at once, by rational functions of the same ring;
@@ -322,8 +318,8 @@ impl Polynomial {
             let table = |base: &Polynomial, exponents: BTreeSet<u32>| {
                 Powers::new(&exponents, |e| base.try_pow(e), |a, b| a.try_mul(b))
             };
-            let up = groups.iter().map(|(e, _)| e[k]);
-            let down = groups.iter().map(|(e, _)| degree - e[k]);
+            let up = groups.keys().map(|e| e[k]);
+            let down = groups.keys().map(|e| degree - e[k]);
             tables.push((
                 degree,
                 table(&image.numerator, up.collect())?,

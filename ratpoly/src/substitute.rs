@@ -51,7 +51,7 @@ impl Polynomial {
         let mut tables = Vec::with_capacity(images.len());
         for (k, image) in images.values().enumerate() {
             tables.push(Powers::new(
-                &groups.iter().map(|(exponents, _)| exponents[k]).collect(),
+                &groups.keys().map(|exponents| exponents[k]).collect(),
                 |e| image.pow_within(e, budget),
                 |a, b| a.mul_within(b, budget),
             )?);
@@ -93,7 +93,8 @@ impl Polynomial {
             return Err(Error::RingMismatch);
         }
         let mut tables = Vec::with_capacity(images.len());
-        for (image, exponents) in images.iter().zip(self.exponents_occurring()) {
+        let variables: Vec<usize> = (0..expected).collect();
+        for (image, exponents) in images.iter().zip(self.exponents_of(&variables)) {
             tables.push(Powers::new(
                 &exponents,
                 |e| image.pow_within(e, budget),

@@ -56,12 +56,12 @@ impl Polynomial {
         degree
     }
 
-    /// For each variable the exponents that occur.
-    pub(crate) fn exponents_occurring(&self) -> Vec<BTreeSet<u32>> {
-        let mut sets = vec![BTreeSet::new(); self.ring.len()];
+    /// For each of these variables the exponents with which it occurs, zero among them.
+    pub(crate) fn exponents_of(&self, variables: &[usize]) -> Vec<BTreeSet<u32>> {
+        let mut sets = vec![BTreeSet::new(); variables.len()];
         self.for_each_term(|exponents, _| {
-            for (set, &e) in sets.iter_mut().zip(exponents) {
-                set.insert(e);
+            for (set, &i) in sets.iter_mut().zip(variables) {
+                set.insert(exponents[i]);
             }
         });
         sets
@@ -112,15 +112,26 @@ impl Polynomial {
     }
 
     /// The coefficients that are not zero as a polynomial in some variables, with the exponents of these.
-    pub(crate) fn coefficients_in_all(&self, variables: &[usize]) -> Vec<(Vec<u32>, Polynomial)> {
+    pub(crate) fn coefficients_in_all(
+        &self,
+        variables: &[usize],
+    ) -> BTreeMap<Vec<u32>, Polynomial> {
+        self.coefficients_by(|exponents| {
+            let taken = variables.iter().map(|&i| std::mem::take(&mut exponents[i]));
+            taken.collect()
+        })
+    }
+
+    /// The terms by what `take` takes out of their exponents. Those by one key keep their order.
+    fn coefficients_by<K: Ord>(&self, take: impl Fn(&mut [u32]) -> K) -> BTreeMap<K, Polynomial> {
         each_layout!(&self.terms, list => {
             let layout = layout_of(list, self.ring);
-            let mut lists: BTreeMap<Vec<u32>, TermList<_>> = BTreeMap::new();
+            let mut lists: BTreeMap<K, TermList<_>> = BTreeMap::new();
             let mut exponents = vec![0; self.ring.len()];
             list.for_each(|m, c| {
                 m.unpack(layout, &mut exponents);
-                let taken = variables.iter().map(|&i| std::mem::take(&mut exponents[i]));
-                let list = lists.entry(taken.collect()).or_insert_with(TermList::new);
+                let key = take(&mut exponents);
+                let list = lists.entry(key).or_insert_with(TermList::new);
                 list.push(packed_like(m, layout, &exponents), c.to_scalar());
             });
             lists.into_iter().map(|(key, list)| (key, self.with(list))).collect()
@@ -130,18 +141,8 @@ impl Polynomial {
     /// The coefficients that are not zero as a polynomial in one variable, by ascending powers. Unlike a
     /// dense list these are never more than the terms.
     pub(crate) fn nonzero_coefficients_in(&self, variable: usize) -> Vec<Polynomial> {
-        each_layout!(&self.terms, list => {
-            let layout = layout_of(list, self.ring);
-            let mut lists: BTreeMap<u32, TermList<_>> = BTreeMap::new();
-            let mut exponents = vec![0; self.ring.len()];
-            list.for_each(|m, c| {
-                m.unpack(layout, &mut exponents);
-                let k = std::mem::take(&mut exponents[variable]);
-                let list = lists.entry(k).or_insert_with(TermList::new);
-                list.push(packed_like(m, layout, &exponents), c.to_scalar());
-            });
-            lists.into_values().map(|list| self.with(list)).collect()
-        })
+        let by_power = self.coefficients_by(|exponents| std::mem::take(&mut exponents[variable]));
+        by_power.into_values().collect()
     }
 
     /// The leading coefficient as a polynomial in one variable; 0 for the zero polynomial.
