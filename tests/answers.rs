@@ -1,9 +1,10 @@
 //! What cannot be mended has a clear answer of its own: sides that do not fit, an empty budget, what is
 //! false only on a part of its domain, and corrections that only other evidence tells apart.
 
+mod common;
+
 use rederive::audit::Audit;
 use rederive::check::Options;
-use rederive::document::Document;
 use rederive::inspection::Inspection;
 use rederive::report::formula::Formulas;
 use rederive::report::{json, reason};
@@ -26,9 +27,7 @@ z = x + y
 "#;
 
 fn audit(text: &str, options: Options) -> Audit {
-    let document = Document::parse("answers.md", text)
-        .unwrap_or_else(|diagnostics| panic!("{diagnostics:?}\n{text}"));
-    Audit::of(&document, options).unwrap_or_else(|rejection| panic!("{rejection}\n{text}"))
+    common::audit(text, options).unwrap_or_else(|rejection| panic!("{rejection}\n{text}"))
 }
 
 fn claimed(claim: &str) -> String {

@@ -2,9 +2,10 @@
 //! circular functions, moduli, mixed derivatives. Each true one holds; each damaged one is refuted, and
 //! where a single slip was planted, the search finds it.
 
+mod common;
+
 use rederive::audit::Audit;
 use rederive::check::Options;
-use rederive::document::Document;
 use rederive::verdict::Verdict;
 
 const LETTERS: &str = r#"```toml symbols
@@ -32,8 +33,7 @@ fn audit(claims: &[&str]) -> Audit {
     for (k, claim) in claims.iter().enumerate() {
         text += &format!("```math {} claim\n{claim}\n```\n\n", k + 1);
     }
-    let document = Document::parse("test.md", &text).expect("a document");
-    Audit::of(&document, Options::default()).unwrap_or_else(|r| panic!("{r}"))
+    common::audit(&text, Options::default()).unwrap_or_else(|r| panic!("{r}"))
 }
 
 /// Gradshteyn and Ryzhik, Table of Integrals, Series, and Products (2007), sections 1.31-1.32, 2.5,

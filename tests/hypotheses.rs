@@ -1,26 +1,21 @@
 //! What a document declares is taken seriously: counterexamples lie where it holds, divisors that it
 //! keeps from vanishing are said not to vanish, and what is assumed is not called printed.
 
+mod common;
+
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use rederive::audit::Audit;
 use rederive::check::Options;
-use rederive::document::Document;
 use rederive::inspection::Inspection;
 use rederive::verdict::{Because, Verdict};
 
 fn audit(text: &str, repair: bool) -> Audit {
-    let document = Document::parse("test.md", text).unwrap_or_else(|diagnostics| {
-        panic!(
-            "{}",
-            rederive::diagnostic::render("test.md", text, &diagnostics, false)
-        )
-    });
     let options = Options {
         repair,
         ..Options::default()
     };
-    Audit::of(&document, options).unwrap_or_else(|r| panic!("{r}"))
+    common::audit(text, options).unwrap_or_else(|r| panic!("{r}"))
 }
 
 const MATRIX: &str = r#"```toml document

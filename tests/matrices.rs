@@ -1,10 +1,12 @@
 //! Matrices of letters, instances, printed hypotheses and inequalities: the linear multibody system
 //! of section 2, damaged in many places, and small documents.
 
+mod common;
+
 use rederive::audit::Audit;
 use rederive::check::Options;
 use rederive::diagnostic::{DiagnosticKind, Rejection};
-use rederive::document::{Document, VerdictWord};
+use rederive::document::VerdictWord;
 use rederive::verdict::{EditClass, Verdict};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,17 +17,11 @@ fn multibody() -> String {
 }
 
 fn audit(text: &str, repair: bool) -> Result<Audit, Rejection> {
-    let document = Document::parse("test.md", text).unwrap_or_else(|diagnostics| {
-        panic!(
-            "{}",
-            rederive::diagnostic::render("test.md", text, &diagnostics, false)
-        )
-    });
     let options = Options {
         repair,
         ..Options::default()
     };
-    Audit::of(&document, options)
+    common::audit(text, options)
 }
 
 fn words(audit: &Audit) -> BTreeMap<String, VerdictWord> {
