@@ -6,9 +6,9 @@
 
 use super::Checker;
 use super::identity::insert;
-use crate::functions::FunctionLetter;
+use crate::functions::{FunctionLetter, square_root_of};
 use crate::verdict::{Part, ResidualEntry, SignCondition, Witness};
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 use ratpoly::{Polynomial, RationalFunction};
@@ -35,7 +35,7 @@ impl Checker<'_> {
         let mut roots: Vec<(usize, Polynomial)> = letters
             .into_iter()
             .filter_map(|letter| match table.meaning(letter)? {
-                FunctionLetter::Root(square) => Some((letter, root_of(&square)?)),
+                FunctionLetter::Root(square) => Some((letter, square_root_of(&square)?)),
                 _ => None,
             })
             .collect();
@@ -130,25 +130,4 @@ impl Checker<'_> {
         };
         std::iter::once(self.reference_point()).chain((0..POINTS).map(at))
     }
-}
-
-/// The polynomial whose square this is, if it is one, up to sign.
-fn root_of(square: &Polynomial) -> Option<Polynomial> {
-    let factorization = square.square_free_factorization();
-    let content = &factorization.content;
-    if content.sign() != Sign::Plus {
-        return None;
-    }
-    let root = content.sqrt();
-    if &root * &root != *content {
-        return None;
-    }
-    let mut product = Polynomial::constant(square.ring(), root);
-    for (factor, multiplicity) in factorization.factors {
-        if multiplicity % 2 == 1 {
-            return None;
-        }
-        product = &product * &factor.try_pow(multiplicity / 2).ok()?;
-    }
-    Some(product)
 }

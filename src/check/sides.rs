@@ -39,23 +39,16 @@ pub(super) fn sides_of<D: Domain>(
     let mut sides = Vec::new();
     for tuple in index_tuples(&bounds) {
         let indices: Vec<(String, i64)> = names.iter().cloned().zip(tuple).collect();
-        let mut case = 0;
-        loop {
-            (evaluator.case, evaluator.cases_met) = (case, 0);
-            let values = evaluator.with_indices(&indices, |e| e.sides_of_chain(head, left, right));
-            let cases = evaluator.cases_met;
-            (evaluator.case, evaluator.cases_met) = (0, 0);
-            let (l, r) = values?;
+        let values = evaluator.in_each_case(|evaluator| {
+            evaluator.with_indices(&indices, |e| e.sides_of_chain(head, left, right))
+        })?;
+        for (case, (l, r)) in values {
             let mut indices = indices.clone();
-            if cases > 0 {
+            if let Some(case) = case {
                 let number = i64::try_from(case + 1).unwrap_or(i64::MAX);
                 indices.push((CASE.into(), number));
             }
             sides.push((indices, l, r));
-            case += 1;
-            if case >= cases {
-                break;
-            }
         }
     }
     Ok(sides)

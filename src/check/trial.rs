@@ -293,19 +293,12 @@ impl<'m> Checker<'m> {
         let span = model.equations[*equation].span;
         let mut values = Vec::new();
         for tuple in tuples {
-            let mut case = 0;
-            // What is defined by cases has a value in each.
-            loop {
-                (self.exact.case, self.exact.cases_met) = (case, 0);
-                let key = (Node::Definition(definition), tuple.clone(), 0);
-                let value = self.exact.value_of(key, span);
-                let cases = self.exact.cases_met;
-                (self.exact.case, self.exact.cases_met) = (0, 0);
-                values.push(self.expanded(value.ok()?)?);
-                case += 1;
-                if case >= cases {
-                    break;
-                }
+            let key = (Node::Definition(definition), tuple, 0);
+            let found = self
+                .exact
+                .in_each_case(|exact| exact.value_of(key.clone(), span));
+            for (_, value) in found.ok()? {
+                values.push(self.expanded(value)?);
             }
         }
         Some(values)

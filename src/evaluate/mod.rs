@@ -243,6 +243,29 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         result
     }
 
+    /// The results of `body` in each case of the definitions by cases that it meets, with the number of
+    /// the case from 0; one without a number where it meets none.
+    ///
+    /// # Errors
+    /// The first of `body`.
+    pub fn in_each_case<T, E>(
+        &mut self,
+        mut body: impl FnMut(&mut Self) -> Result<T, E>,
+    ) -> Result<Vec<(Option<usize>, T)>, E> {
+        let mut results = Vec::new();
+        loop {
+            let case = results.len();
+            (self.case, self.cases_met) = (case, 0);
+            let result = body(self);
+            let cases = self.cases_met;
+            (self.case, self.cases_met) = (0, 0);
+            results.push(((cases > 0).then_some(case), result?));
+            if results.len() >= cases {
+                return Ok(results);
+            }
+        }
+    }
+
     /// Runs `body` with an index bound to a value.
     pub fn with_bound<T>(
         &mut self,

@@ -540,7 +540,7 @@ impl FunctionTable {
 }
 
 /// The polynomial whose square this is, if it is one, up to sign.
-pub(super) fn square_root_of(square: &Polynomial) -> Option<Polynomial> {
+pub(crate) fn square_root_of(square: &Polynomial) -> Option<Polynomial> {
     let factorization = square.square_free_factorization();
     if factorization.content.is_negative() {
         return None;

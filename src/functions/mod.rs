@@ -21,6 +21,7 @@ pub mod quadratic;
 mod sign;
 
 pub use calculus::ChainStep;
+pub(crate) use elementary::square_root_of;
 
 use crate::expr::Function;
 use integral::End;

@@ -377,26 +377,17 @@ fn rounded(value: &BigRational, places: usize) -> String {
     format!("{sign}{whole}.{rest:0>places$}")
 }
 
-/// `n = outside^2 inside`, with all square factors of small primes outside.
+/// `n = outside^2 inside`, with all square factors of small primes outside, and what else is left if it
+/// is a square.
 pub fn square_part(n: &BigInt) -> (BigInt, BigInt) {
-    let (mut outside, mut inside) = (BigInt::one(), n.clone());
-    let root = inside.abs().sqrt();
-    if inside.is_positive() && &root * &root == inside {
-        return (root, BigInt::one());
-    }
+    let (mut outside, mut small, mut rest) = (BigInt::one(), BigInt::one(), n.clone());
     let mut p = 2_u32;
-    while p < 2000 {
+    while p < 2000 && !rest.is_one() {
         let square = BigInt::from(p * p);
-        while (&inside % &square).is_zero() {
-            inside /= &square;
+        while (&rest % &square).is_zero() {
+            rest /= &square;
             outside *= p;
         }
-        p += if p == 2 { 1 } else { 2 };
-    }
-    // What small primes leave may be the square of a large one.
-    let (mut small, mut rest) = (BigInt::one(), inside.clone());
-    let mut p = 2_u32;
-    while p < 2000 {
         if (&rest % p).is_zero() {
             rest /= p;
             small *= p;
@@ -405,9 +396,10 @@ pub fn square_part(n: &BigInt) -> (BigInt, BigInt) {
     }
     let root = rest.abs().sqrt();
     if rest.is_positive() && &root * &root == rest {
-        return (outside * root, small);
+        (outside * root, small)
+    } else {
+        (outside, small * rest)
     }
-    (outside, inside)
 }
 
 /// A closed interval.

@@ -8,10 +8,9 @@
 use super::super::Checker;
 use super::super::edit::{self, Replacement};
 use super::super::identity::Decision;
-use super::super::sides::sides_of;
+use super::evaluators::holds_modulo;
 use super::images::SplitMix;
 use super::parallel::{Blocks, Seed};
-use super::store::same;
 use super::{Found, described};
 use crate::domain::{PRIME, PrimeField};
 use crate::evaluate::Evaluator;
@@ -78,8 +77,7 @@ impl<'m> Bench<'m> {
     }
 
     fn holds(&mut self, claim: &Claim, display: &Display) -> bool {
-        let sides = sides_of(&mut self.evaluator, display, &claim.1, Span::default());
-        sides.is_ok_and(|pairs| !pairs.is_empty() && pairs.iter().all(|(_, l, r)| same(l, r)))
+        holds_modulo(&mut self.evaluator, display, &claim.1)
     }
 }
 

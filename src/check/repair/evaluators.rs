@@ -42,6 +42,16 @@ pub(super) fn passes(
     }
 }
 
+/// Whether the sides agree and there are any.
+pub(super) fn holds_modulo(
+    evaluator: &mut Evaluator<'_, PrimeField>,
+    display: &Display,
+    link: &Link,
+) -> bool {
+    let sides = sides_of(evaluator, display, link, Span::default());
+    sides.is_ok_and(|pairs| !pairs.is_empty() && pairs.iter().all(|(_, l, r)| same(l, r)))
+}
+
 /// The exact values of names, computed once for all evaluators at one point.
 pub(super) type Exact<'m> = Rc<RefCell<Evaluator<'m, Symbolic>>>;
 

@@ -78,33 +78,34 @@ pub(crate) type Found = (Correction, Certificate);
 
 /// The best correction so far of those that put in units that do not fit, and in how many places they
 /// do not.
+#[derive(Default)]
 struct Best {
-    /// In how many places they do not fit as printed.
-    printed: usize,
     found: Option<(Found, usize)>,
 }
 
 impl Best {
-    /// A correction that puts in no misfit of units ends the search; others wait for what costs more: a letter
-    /// for another of a different unit is no slip where two others leave the units right.
+    /// A correction that puts in no misfit of units ends the search; others wait for what costs more: a
+    /// letter for another of a different unit is no slip where two others leave the units right.
     fn among(
         &mut self,
         checker: &Checker<'_>,
         equation: usize,
+        printed: &Display,
         found: Option<Found>,
     ) -> Option<Found> {
         let (mut correction, proof) = found?;
-        let misfits = checker.unit_findings(equation, &correction.display);
+        let misfits = |display: &Display| checker.unit_findings(equation, display);
+        let left = misfits(&correction.display);
         match &self.found {
-            Some((_, before)) if misfits >= *before => None,
+            Some((_, before)) if left >= *before => None,
             before => {
                 if before.is_some() {
                     correction.preferred = Some(Preferred::Units);
                 }
-                if misfits <= self.printed {
+                if left == 0 || left <= misfits(printed) {
                     return Some((correction, proof));
                 }
-                self.found = Some(((correction, proof), misfits));
+                self.found = Some(((correction, proof), left));
                 None
             }
         }
@@ -147,12 +148,9 @@ impl<'m> Checker<'m> {
         first.extend(singles.iter().map(Candidate::single));
         let mut passing = trial.passing(first);
         passing.extend(trial.solved(&context));
-        let mut best = Best {
-            printed: self.unit_findings(equation, &display),
-            found: None,
-        };
+        let mut best = Best::default();
         let found = self.prove(equation, link, passing, &singles, &trial);
-        if let Some(found) = best.among(self, equation, found) {
+        if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
         // One slip repeated: a lost dot in each row, both indices of a formula.
@@ -173,7 +171,7 @@ impl<'m> Checker<'m> {
         }
         let passing = trial.passing(repeated);
         let found = self.prove(equation, link, passing, &singles, &trial);
-        if let Some(found) = best.among(self, equation, found) {
+        if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
         if best.found.is_none()
@@ -183,7 +181,7 @@ impl<'m> Checker<'m> {
         }
         let passing = trial.pairs(&singles);
         let found = self.prove(equation, link, passing, &singles, &trial);
-        if let Some(found) = best.among(self, equation, found) {
+        if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
         if let Some((found, _)) = best.found {

@@ -3,8 +3,7 @@
 
 use super::super::Checker;
 use super::super::identity::Decision;
-use super::super::sides::sides_of;
-use super::store::same;
+use super::evaluators::holds_modulo;
 use super::{Proved, sorting};
 use crate::evaluate::Value;
 use crate::expr::Display;
@@ -111,10 +110,7 @@ impl Checker<'_> {
         for one in &proved[..equals] {
             evaluator.correct(equation, one.display.clone());
             let holds = |(e, link): &&(usize, Link)| {
-                let display = &model.equations[*e].display;
-                sides_of(&mut evaluator, display, link, Span::default()).is_ok_and(|pairs| {
-                    !pairs.is_empty() && pairs.iter().all(|(_, l, r)| same(l, r))
-                })
+                holds_modulo(&mut evaluator, &model.equations[*e].display, link)
             };
             scores.push(claims.iter().filter(holds).count());
         }
