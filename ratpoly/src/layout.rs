@@ -95,15 +95,27 @@ impl Layout {
         64 - self.bits * (index_in_word as u32 + 1)
     }
 
-    /// The value of a field for given exponents.
-    pub fn field_of(&self, exponents: &[u32], field: usize) -> u64 {
-        let sum = |e: &[u32]| e.iter().map(|&x| u64::from(x)).sum();
-        match self.order {
-            _ if exponents.is_empty() => 0,
-            Order::Lex => u64::from(exponents[field]),
-            Order::Grlex if field == 0 => sum(exponents),
-            Order::Grlex => u64::from(exponents[field - 1]),
-            Order::Grevlex => sum(&exponents[..self.variables - field]),
+    /// Calls `see` with the values of all fields for given exponents, the last field first.
+    #[inline]
+    pub fn each_field(&self, exponents: &[u32], mut see: impl FnMut(u64)) {
+        match (self.order, exponents) {
+            (_, []) => see(0),
+            (Order::Lex, all) => all.iter().rev().for_each(|e| see(u64::from(*e))),
+            (Order::Grlex, [others @ .., last]) => {
+                let mut sum = u64::from(*last);
+                for e in others.iter().rev() {
+                    sum += u64::from(*e);
+                    see(u64::from(*e));
+                }
+                see(sum);
+            }
+            (Order::Grevlex, all) => {
+                let mut sum = 0;
+                for e in all {
+                    sum += u64::from(*e);
+                    see(sum);
+                }
+            }
         }
     }
 

@@ -45,10 +45,7 @@ pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'sta
     fn words_mut(terms: &mut Terms) -> Option<&mut Vec<Term<Self, i64>>>;
 
     /// Packs exponents, unless one is too large for the layout.
-    fn pack(layout: &Layout, exponents: &[u32]) -> Option<Self> {
-        let fits = (0..layout.fields).all(|k| layout.field_of(exponents, k) <= layout.limit());
-        fits.then(|| Self::from_fields(layout, |k| layout.field_of(exponents, k)))
-    }
+    fn pack(layout: &Layout, exponents: &[u32]) -> Option<Self>;
 
     /// The exponent of a variable.
     fn exponent(&self, layout: &Layout, variable: usize) -> u32 {
@@ -126,9 +123,43 @@ macro_rules! packed {
                 self.0[word] >> shift & layout.limit()
             }
 
+            fn pack(layout: &Layout, exponents: &[u32]) -> Option<Self> {
+                let (bits, limit) = (layout.bits, layout.limit());
+                let mut words = [0; $words];
+                let (mut word, mut shift) = layout.place(layout.fields - 1);
+                let mut fits = true;
+                layout.each_field(exponents, |value| {
+                    if shift == 64 {
+                        word -= 1;
+                        shift = layout.place(layout.per_word - 1).1;
+                    }
+                    fits &= value <= limit;
+                    words[word] |= value << shift;
+                    shift += bits;
+                });
+                fits.then_some(Packed(words))
+            }
+
             #[inline]
             fn unpack(&self, layout: &Layout, exponents: &mut [u32]) {
                 let (bits, limit) = (layout.bits as usize, layout.limit());
+                if layout.order == Order::Grevlex {
+                    // The differences of neighbouring fields, all of a word at once; most are zero.
+                    exponents.fill(0);
+                    for (k, word) in self.0.iter().enumerate() {
+                        let next = self.0.get(k + 1).map_or(0, |next| next >> (64 - bits));
+                        let unused = 64 - bits * layout.per_word;
+                        let mut rest = word - (word << bits | next << unused);
+                        while rest != 0 {
+                            let field = rest.leading_zeros() as usize / bits;
+                            let shift = 64 - bits * (field + 1);
+                            let variable = layout.variables - 1 - k * layout.per_word - field;
+                            exponents[variable] = (rest >> shift & limit) as u32;
+                            rest &= !(limit << shift);
+                        }
+                    }
+                    return;
+                }
                 let fields = self.0.iter().flat_map(|word| {
                     (1..=layout.per_word).map(move |k| word >> (64 - bits * k) & limit)
                 });
@@ -229,6 +260,14 @@ impl PackedMonomial for Wide {
         self.0[field]
     }
 
+    fn pack(layout: &Layout, exponents: &[u32]) -> Option<Self> {
+        let mut fields = Vec::with_capacity(layout.fields);
+        layout.each_field(exponents, |value| fields.push(value));
+        fields.reverse();
+        let fits = fields.iter().all(|value| *value <= layout.limit());
+        fits.then(|| Wide(fields.into_boxed_slice()))
+    }
+
     fn unpack(&self, layout: &Layout, exponents: &mut [u32]) {
         layout.exponents_from(self.0.iter().copied(), exponents);
     }
@@ -281,5 +320,69 @@ fn descends<M: PackedMonomial>(monomial: &M, layout: &Layout) -> bool {
         Order::Lex => true,
         Order::Grlex => field(0) >= (1..layout.fields).map(field).sum(),
         Order::Grevlex => (1..layout.fields).all(|k| field(k - 1) >= field(k)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::KINDS;
+
+    fn round_trip<M: PackedMonomial>(layout: &Layout, exponents: &[u32]) {
+        let field = |k: usize| -> u64 {
+            let sum = |e: &[u32]| e.iter().map(|e| u64::from(*e)).sum();
+            match layout.order {
+                _ if exponents.is_empty() => 0,
+                Order::Lex => exponents[k].into(),
+                Order::Grlex if k == 0 => sum(exponents),
+                Order::Grlex => exponents[k - 1].into(),
+                Order::Grevlex => sum(&exponents[..exponents.len() - k]),
+            }
+        };
+        let packed = M::pack(layout, exponents);
+        let fits = (0..layout.fields).all(|k| field(k) <= layout.limit());
+        assert_eq!(packed.is_some(), fits);
+        let Some(packed) = packed else { return };
+        assert!((0..layout.fields).all(|k| packed.field(layout, k) == field(k)));
+        let mut found = vec![7; exponents.len()];
+        packed.unpack(layout, &mut found);
+        assert_eq!(found, exponents);
+        for (variable, exponent) in exponents.iter().enumerate() {
+            assert_eq!(packed.exponent(layout, variable), *exponent);
+        }
+    }
+
+    /// The table of the module's fields, for rings of all sizes in all orders and layouts.
+    #[test]
+    fn packing_and_unpacking() {
+        let mut state = 1_u64;
+        let mut random = |below: u32| {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1);
+            ((state >> 33) % u64::from(below)) as u32
+        };
+        for order in [Order::Lex, Order::Grlex, Order::Grevlex] {
+            for variables in 0..80 {
+                let layouts: [Option<Layout>; KINDS] = Layout::all(order, variables);
+                for round in 0..40 {
+                    let below = [2, 3, 20, 1 << 20][round % 4];
+                    let exponents: Vec<u32> = (0..variables)
+                        .map(|_| random(below) * random(2) * random(2))
+                        .collect();
+                    let [one, two, four, wide] = &layouts;
+                    if let Some(layout) = one {
+                        round_trip::<Packed<1>>(layout, &exponents);
+                    }
+                    if let Some(layout) = two {
+                        round_trip::<Packed<2>>(layout, &exponents);
+                    }
+                    if let Some(layout) = four {
+                        round_trip::<Packed<4>>(layout, &exponents);
+                    }
+                    if let Some(layout) = wide {
+                        round_trip::<Wide>(layout, &exponents);
+                    }
+                }
+            }
+        }
     }
 }

@@ -241,7 +241,7 @@ pub(crate) fn layout_of<M: PackedMonomial>(_: &TermList<M>, ring: Ring) -> &'sta
 
 /// Packs exponents that fit as those of another monomial do.
 fn packed_like<M: PackedMonomial>(_: &M, layout: &Layout, exponents: &[u32]) -> M {
-    M::from_fields(layout, |k| layout.field_of(exponents, k))
+    M::pack(layout, exponents).expect("exponents no greater than those of a monomial that fits")
 }
 
 fn unpacked<M: PackedMonomial>(monomial: &M, ring: Ring) -> Monomial {
