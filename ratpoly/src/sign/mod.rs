@@ -147,11 +147,17 @@ pub fn sign_on(f: &Polynomial, region: &Region, budget: &Budget) -> Result<Regio
         });
     }
     let occurring = f.variables_occurring();
-    let line = occurring
-        .iter()
-        .find(|&&i| region.intervals[i] == (Bound::NegativeInfinity, Bound::PositiveInfinity));
-    if let Some(&i) = line {
-        return sign_across_zero(f, region, i, budget);
+    let line = (Bound::NegativeInfinity, Bound::PositiveInfinity);
+    let lines = occurring.iter().copied();
+    let lines: Vec<usize> = lines.filter(|&i| region.intervals[i] == line).collect();
+    if let [first, others @ ..] = &lines[..] {
+        // Each line makes three parts of the region: that is dear where a few points tell.
+        if !others.is_empty()
+            && let Some(found) = change_across_zero(f, region, &lines, budget)
+        {
+            return Ok(found);
+        }
+        return sign_across_zero(f, region, *first, budget);
     }
     let mut g = f.clone();
     let mut maps = Vec::with_capacity(expected);
@@ -192,6 +198,45 @@ pub fn sign_of_quotient_on(
     })
 }
 
+/// How many parts of a region with several lines are looked at by points, and how many points of each.
+const PARTS: u64 = 16;
+const POINTS: usize = 4;
+
+/// A change of sign that shows at a few points on both sides of zero.
+fn change_across_zero(
+    f: &Polynomial,
+    region: &Region,
+    lines: &[usize],
+    budget: &Budget,
+) -> Option<RegionSign> {
+    let (mut positive, mut negative) = (None, None);
+    for part in 0..PARTS {
+        // Bits of multiples of an odd number: each line is on either side in about half of the parts.
+        let sides = part.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let mut half = region.clone();
+        for (bit, &i) in (1..64).rev().zip(lines) {
+            half.intervals[i] = match sides >> bit & 1 {
+                0 => (Bound::from(0), Bound::PositiveInfinity),
+                _ => (Bound::NegativeInfinity, Bound::from(0)),
+            };
+        }
+        for (point, sign) in samples::in_region(f, &half, budget).take(POINTS) {
+            match sign {
+                std::cmp::Ordering::Greater => positive = Some(point),
+                std::cmp::Ordering::Less => negative = Some(point),
+                std::cmp::Ordering::Equal => {}
+            }
+        }
+        if let (Some(positive), Some(negative)) = (&positive, &negative) {
+            return Some(RegionSign::Changes {
+                positive: positive.clone(),
+                negative: negative.clone(),
+            });
+        }
+    }
+    None
+}
+
 /// Splits the whole line of one variable at zero.
 fn sign_across_zero(
     f: &Polynomial,
@@ -213,10 +258,15 @@ fn sign_across_zero(
         positive[variable] = BigRational::zero();
         negative[variable] = BigRational::zero();
     }
-    let parts = [
-        (sign_on(f, &right, budget)?, right),
-        (sign_on(f, &left, budget)?, left),
-    ];
+    let changes = |sign: &RegionSign| matches!(sign, RegionSign::Changes { .. });
+    if changes(&on_slice) {
+        return Ok(on_slice);
+    }
+    let on_right = sign_on(f, &right, budget)?;
+    if changes(&on_right) {
+        return Ok(on_right);
+    }
+    let parts = [(on_right, right), (sign_on(f, &left, budget)?, left)];
     let mut sum = on_slice;
     for (sign, _) in &parts {
         match sum.union(sign.clone()) {
