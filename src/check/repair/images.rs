@@ -2,7 +2,7 @@
 //!
 //! A function's letter has an image that keeps its relations: a root the square root of its
 //! radicand's image where that is a square, a cosine and its sine a rational point of the circle;
-//! exponentials, powers and logarithms are free. The imaginary unit has none: the prime is 3 modulo 4.
+//! exponentials, powers and logarithms are free. The imaginary unit is a root of minus one.
 
 use crate::domain::{Domain, PRIME, PrimeField};
 use crate::evaluate::FailureKind;
@@ -92,10 +92,11 @@ impl Images {
         let free = SplitMix(self.seed ^ (letter as u64).wrapping_mul(0xA24B_AED4_963E_E407)).next();
         let field = PrimeField;
         let image = match meaning {
-            FunctionLetter::ImaginaryUnit | FunctionLetter::Dirac(_) => None,
+            FunctionLetter::ImaginaryUnit => field.square_root(PRIME - 1),
+            FunctionLetter::Dirac(_) => None,
             FunctionLetter::Root(radicand) => {
                 let square = self.image(&RationalFunction::from(radicand.clone())).ok();
-                square.and_then(square_root)
+                square.and_then(|square| field.square_root(square))
             }
             // (1 - t^2)/(1 + t^2), so that the sine is rational too.
             FunctionLetter::Cosine(_) => {
@@ -105,7 +106,7 @@ impl Images {
             FunctionLetter::Sine(_, cosine) => {
                 let table = self.table.as_ref()?;
                 let cosine = self.of_function(*cosine, &table.meaning(*cosine)?)?;
-                square_root(field.subtract(&1, &field.multiply(&cosine, &cosine)))
+                field.square_root(field.subtract(&1, &field.multiply(&cosine, &cosine)))
             }
             FunctionLetter::Pi
             | FunctionLetter::Exponential(_)
@@ -116,12 +117,4 @@ impl Images {
         self.functions.borrow_mut().insert(letter, image);
         image
     }
-}
-
-/// A square root modulo the prime, which is 3 modulo 4, if there is one.
-pub(super) fn square_root(value: u64) -> Option<u64> {
-    let root = PrimeField
-        .power(&value, 1 << 30)
-        .and_then(|r| PrimeField.power(&r, 1 << 29));
-    root.filter(|r| PrimeField.multiply(r, r) == value)
 }

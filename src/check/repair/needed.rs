@@ -4,9 +4,9 @@
 //! quotient by the other factors, under a square both roots. Below a matrix product, a running sum
 //! or a function nothing is needed in particular.
 
-use super::images::square_root;
+use super::residue::Residue;
 use super::sites::Trial;
-use super::store::{Id, Residue};
+use super::store::Id;
 use crate::check::edit::Address;
 use crate::domain::{Domain, PrimeField};
 use crate::evaluate::{Value, value};
@@ -193,7 +193,7 @@ impl Walk<'_, '_, '_> {
                 match power.abs() {
                     1 => found.push(Value::Scalar(whole)),
                     2 => {
-                        if let Some(root) = square_root(whole) {
+                        if let Some(root) = field.square_root(whole) {
                             found.push(Value::Scalar(root));
                             found.push(Value::Scalar(field.negate(&root)));
                         }
