@@ -312,17 +312,23 @@ fn rows_at(
         };
         let is_exact = found.entries().iter().all(|(_, exact)| *exact);
         let exact = found.map(|(value, _)| value.clone());
-        let computed = evaluators
-            .iter_mut()
-            .map(|evaluator| match evaluator.value(expr) {
-                Ok(value) => compared(&value, &exact),
-                Err(failure) => Computed {
-                    digits: None,
-                    value: None,
-                    failure: Some(format!("{:?}", failure.kind)),
-                },
-            })
-            .collect();
+        let mut computed: Vec<Computed> = Vec::with_capacity(evaluators.len());
+        let mut by_method = true;
+        for evaluator in &mut evaluators {
+            let known = computed.last().filter(|_| !by_method).cloned();
+            computed.push(known.unwrap_or_else(|| {
+                let (value, depends) = evaluator.value_and_dependence(expr);
+                by_method = depends;
+                match value {
+                    Ok(value) => compared(&value, &exact),
+                    Err(failure) => Computed {
+                        digits: None,
+                        value: None,
+                        failure: Some(format!("{:?}", failure.kind)),
+                    },
+                }
+            }));
+        }
         rows.push(Row {
             point: p,
             subject,

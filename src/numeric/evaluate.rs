@@ -34,7 +34,7 @@ pub(super) type Key<N> = (N, Vec<i64>);
 pub struct Evaluator<'r, R: Resolver> {
     pub(super) resolver: &'r R,
     pub(super) method: LyapunovMethod,
-    pub(super) known: BTreeMap<Key<R::Node>, Value>,
+    pub(super) known: BTreeMap<Key<R::Node>, Known>,
     pub(super) open: BTreeSet<Key<R::Node>>,
     /// Letters with other values than their own, the innermost last.
     pub(super) replaced: Vec<(R::Node, f64)>,
@@ -48,6 +48,15 @@ pub struct Evaluator<'r, R: Resolver> {
     pub(super) touched: bool,
     /// The systems that are solved.
     pub(super) solved: BTreeMap<usize, SolvedSystem>,
+    /// Whether the solution of a system was used since this was last cleared.
+    pub(super) by_method: bool,
+}
+
+/// A value, and whether the solution of a system was used for it.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    value: Value,
+    by_method: bool,
 }
 
 impl<'r, R: Resolver> Evaluator<'r, R> {
@@ -66,7 +75,15 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
             trial: BTreeMap::new(),
             touched: false,
             solved: BTreeMap::new(),
+            by_method: false,
         }
+    }
+
+    /// The value of an expression, and whether it depends on the method: where it does not, all methods
+    /// have the same.
+    pub fn value_and_dependence(&mut self, expr: &Expr) -> (Result<Value, Failure>, bool) {
+        self.by_method = false;
+        (self.value(expr), self.by_method)
     }
 
     /// The value of an expression: finite, or a failure with its place.
@@ -367,8 +384,9 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
         if let Some((_, number)) = self.replaced.iter().rev().find(|(n, _)| *n == key.0) {
             return Ok(Value::Scalar(*number));
         }
-        if let Some(value) = self.known.get(&key) {
-            return Ok(value.clone());
+        if let Some(known) = self.known.get(&key) {
+            self.by_method |= known.by_method;
+            return Ok(known.value.clone());
         }
         let (node, indices) = &key;
         let meaning = self
@@ -382,15 +400,18 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
             return Err(Failure::new(FailureKind::Cyclic, span));
         }
         let outer = std::mem::take(&mut self.bound);
-        let before = std::mem::replace(&mut self.touched, false);
+        let before = (self.touched, self.by_method);
+        (self.touched, self.by_method) = (false, false);
         let result = self.compute(meaning, &key.1, span);
-        let touched = self.touched;
-        self.touched = before || touched;
+        let (touched, by_method) = (self.touched, self.by_method);
+        self.touched |= before.0;
+        self.by_method |= before.1;
         self.bound = outer;
         self.open.remove(&key);
         let value = result?;
         if !touched {
-            self.known.insert(key, value.clone());
+            let value = value.clone();
+            self.known.insert(key, Known { value, by_method });
         }
         Ok(value)
     }

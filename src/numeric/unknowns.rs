@@ -51,6 +51,7 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
         position: usize,
         span: Span,
     ) -> Result<Value, Failure> {
+        self.by_method = true;
         if let Some(value) = self.trial.get(&(system, position)) {
             self.touched = true;
             return Ok(value.clone());
