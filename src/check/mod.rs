@@ -21,6 +21,7 @@ mod sides;
 mod statement;
 mod stationary;
 pub(crate) mod trial;
+mod units;
 mod witness;
 
 use crate::diagnostic::Diagnostic;
@@ -69,6 +70,9 @@ pub struct Checker<'m> {
     /// For each letter that is an abbreviation, its value in the declared symbols.
     pub(crate) inserted: BTreeMap<usize, RationalFunction>,
     diagnostics: Vec<Diagnostic>,
+    readings: units::KnownReadings,
+    /// Whether one slip in a definition is sought that explains several false claims.
+    in_definitions: bool,
     /// Why the last link that was looked at stayed undecided, where its evaluation failed.
     failure: Option<FailureKind>,
 }
@@ -89,9 +93,14 @@ pub struct Verdicts {
 /// zero identically, an exponent beyond the limit.
 pub fn check(model: &Model, options: Options) -> Result<Verdicts, Vec<Diagnostic>> {
     let mut verdicts = Checker::new(model, options)?.run()?;
+    // A correction serves all instances: one of a definition that the first has none of serves none.
+    let in_definitions = verdicts.links.iter().any(|outcome| {
+        matches!(&outcome.verdict, Verdict::Misprint { correction, .. } if correction.definition.is_some())
+    });
     for instance in 1..model.instances.len() {
-        let others = Checker::in_instance(model, options, instance)?.run()?;
-        verdicts = instances::all(verdicts, others);
+        let mut checker = Checker::in_instance(model, options, instance)?;
+        checker.in_definitions = in_definitions;
+        verdicts = instances::all(verdicts, checker.run()?);
     }
     Ok(verdicts)
 }
@@ -121,6 +130,8 @@ impl<'m> Checker<'m> {
             options,
             inserted: BTreeMap::new(),
             diagnostics: Vec::new(),
+            readings: Default::default(),
+            in_definitions: true,
             failure: None,
         };
         checker.insert_abbreviations();
@@ -162,7 +173,9 @@ impl<'m> Checker<'m> {
         for equation in self.model.settling_order() {
             outcomes.extend(self.settle(equation));
         }
-        self.common_definitions(&mut outcomes);
+        if self.in_definitions {
+            self.common_definitions(&mut outcomes);
+        }
         self.explained_by_definitions(&mut outcomes);
         let statements = self.statements();
         if !self.diagnostics.is_empty() {

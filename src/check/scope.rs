@@ -146,44 +146,6 @@ impl Checker<'_> {
             }),
         })
     }
-
-    /// Those of some readings of an equation whose units fit in the most places, in their order.
-    pub(super) fn fitting_units_best<T>(
-        &self,
-        equation: usize,
-        mut readings: Vec<T>,
-        display: impl Fn(&T) -> &Display,
-    ) -> Vec<T> {
-        if readings.len() > 1 {
-            let misfits: Vec<usize> = readings
-                .iter()
-                .map(|reading| self.unit_findings(equation, display(reading)))
-                .collect();
-            let fewest = misfits.iter().min().copied();
-            let mut misfits = misfits.into_iter();
-            readings.retain(|_| misfits.next() == fewest);
-        }
-        readings
-    }
-
-    /// In how many places the units of an equation do not fit if it reads so.
-    pub(super) fn unit_findings(&self, equation: usize, display: &Display) -> usize {
-        let model = self.model;
-        let mut units = crate::unit::Units::of(model);
-        let shown = |e: usize| {
-            if e == equation {
-                display
-            } else {
-                self.exact.display(e)
-            }
-        };
-        let label = &model.equations[equation].label;
-        let displays: Vec<(&str, &Display)> = (0..model.equations.len())
-            .map(|e| (&model.equations[e].label[..], shown(e)))
-            .collect();
-        let findings = units.check_all(displays.iter().copied());
-        findings.iter().filter(|f| f.label == *label).count()
-    }
 }
 
 /// Another letter as the argument on the left.

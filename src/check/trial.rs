@@ -123,6 +123,8 @@ impl<'m> Checker<'m> {
             options,
             inserted: self.inserted.clone(),
             diagnostics: Vec::new(),
+            readings: Default::default(),
+            in_definitions: true,
             failure: None,
         }
     }
@@ -142,6 +144,8 @@ impl<'m> Checker<'m> {
             options: self.options,
             inserted: hypotheses.inserted,
             diagnostics: Vec::new(),
+            readings: Default::default(),
+            in_definitions: true,
             failure: None,
         }))
     }

@@ -1,7 +1,7 @@
 //! Evaluators at a point over another field, and the slow filter for what the store cannot judge.
 
 use super::images::Images;
-use super::store::same;
+use super::residue::same;
 use crate::check::Checker;
 use crate::check::sides::sides_of;
 use crate::domain::{Domain, PrimeField, Symbolic};

@@ -17,6 +17,7 @@ mod pairs;
 mod parallel;
 mod preferred;
 mod rejected;
+mod residue;
 mod sites;
 mod solved;
 mod store;
@@ -94,15 +95,14 @@ impl Best {
         found: Option<Found>,
     ) -> Option<Found> {
         let (mut correction, proof) = found?;
-        let misfits = |display: &Display| checker.unit_findings(equation, display);
-        let left = misfits(&correction.display);
+        let (left, fits) = checker.fits_units(equation, printed, &correction.display);
         match &self.found {
             Some((_, before)) if left >= *before => None,
             before => {
                 if before.is_some() {
                     correction.preferred = Some(Preferred::Units);
                 }
-                if left == 0 || left <= misfits(printed) {
+                if fits {
                     return Some((correction, proof));
                 }
                 self.found = Some(((correction, proof), left));
@@ -179,8 +179,25 @@ impl<'m> Checker<'m> {
         {
             return Ok(found);
         }
-        let passing = trial.pairs(&singles);
-        let found = self.prove(equation, link, passing, &singles, &trial);
+        let mut passing = trial.pairs(&singles);
+        let mut found = self.prove(equation, link, passing.clone(), &singles, &trial);
+        // What would have to be evaluated pair by pair is of use only where it costs no more.
+        let most = match &found {
+            Some((correction, _))
+                if correction.given.is_none()
+                    && self.fits_units(equation, &display, &correction.display).1 =>
+            {
+                correction.cost
+            }
+            _ => u32::MAX,
+        };
+        let apart = trial.pairs_apart(&singles, most);
+        if !apart.is_empty() {
+            passing.extend(apart);
+            found = self.prove(equation, link, passing, &singles, &trial);
+        } else if let Some((correction, _)) = &mut found {
+            correction.tried = trial.tried.min(trial.limit);
+        }
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }

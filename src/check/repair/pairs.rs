@@ -5,11 +5,12 @@
 //! quotient by the other factors. A second edit does if its value is the needed one, which a table
 //! of the values of all edits at that place tells at once: n edits and n walks of the tree decide n^2
 //! pairs. Below a matrix product, a running sum or a function nothing is needed in particular;
-//! pairs in such places are evaluated one by one.
+//! pairs in such places are evaluated one by one, as far as they cost no more than what is known by then.
 
 use super::needed::Walk;
+use super::residue::{Residue, compared};
 use super::sites::Trial;
-use super::store::{Id, Residue};
+use super::store::Id;
 use super::{Candidate, SECOND_SLIP, edited};
 use crate::check::edit::{Address, Replacement};
 use crate::evaluate::Value;
@@ -65,7 +66,6 @@ impl Trial<'_, '_> {
                     }),
             );
         }
-        self.one_by_one(singles, &mut found);
         found.sort_by_key(|candidate| candidate.cost);
         found.dedup_by(|one, other| one.cost == other.cost && same_edits(one, other));
         found.truncate(FOUND);
@@ -137,33 +137,61 @@ impl Trial<'_, '_> {
         table
     }
 
-    /// Pairs where neither place has a needed value.
-    fn one_by_one(&mut self, singles: &[Replacement], found: &mut Vec<Candidate>) {
+    /// The pairs of single edits that make the sides agree where neither place has a needed value, the
+    /// cheapest first and none that costs more than `most`.
+    pub fn pairs_apart(&mut self, singles: &[Replacement], most: u32) -> Vec<Candidate> {
+        if !self.fast {
+            return Vec::new();
+        }
         let reached = self.reached();
-        let apart: Vec<&Replacement> = singles
+        let apart: Vec<(usize, &Replacement)> = singles
             .iter()
-            .filter(|r| {
-                let spot = self.spot_at.get(&r.address);
-                spot.is_some_and(|s| !reached.contains(s))
-            })
+            .filter_map(|r| Some((*self.spot_at.get(&r.address)?, r)))
+            .filter(|(spot, _)| !reached.contains(spot))
             .collect();
         let left = self.limit.saturating_sub(self.tried) / DEARER;
-        let pairs: Vec<Candidate> = apart
-            .iter()
-            .enumerate()
-            .flat_map(|(k, one)| apart[k + 1..].iter().map(move |two| (*one, *two)))
-            .filter(|(one, two)| !one.address.is_nested_with(&two.address))
-            .take(left)
-            .map(|(one, two)| Candidate {
-                steps: vec![one.clone(), two.clone()],
-                cost: one.cost + two.cost + SECOND_SLIP,
-            })
-            .collect();
-        let agree = |trial: &mut Trial<'_, '_>, k: usize| trial.agrees(&pairs[k]);
+        let costs: Vec<u32> = apart.iter().map(|(_, r)| r.cost).collect();
+        let most = bound(&costs, most.saturating_sub(SECOND_SLIP), left);
+        let mut pairs: Vec<(u32, usize, usize)> = Vec::new();
+        for (i, (one, first)) in apart.iter().enumerate() {
+            let rest = apart.iter().enumerate().skip(i + 1);
+            let cheap = rest.take_while(|(_, (_, second))| first.cost + second.cost <= most);
+            let free = cheap.filter(|(_, (two, _))| !self.are_nested(*one, *two));
+            pairs.extend(free.map(|(j, (_, second))| (first.cost + second.cost, i, j)));
+        }
+        pairs.sort_unstable();
+        pairs.truncate(left);
+        let agree = |trial: &mut Trial<'_, '_>, k: usize| {
+            let nodes = trial.nodes_of(&apart);
+            let (_, i, j) = pairs[k];
+            let puts = [i, j].map(|e| (apart[e].0, nodes[e], apart[e].1));
+            let sides = [trial.link.left, trial.link.right];
+            let [left, right] = sides.map(|place| trial.side_with(place, &puts));
+            compared(&left, &right) == Some(true)
+        };
         let agree = self.each(pairs.len(), usize::MAX, agree, |_| 0);
         self.tried += DEARER * pairs.len();
-        let agreeing = pairs.into_iter().zip(agree).filter(|(_, agrees)| *agrees);
-        found.extend(agreeing.map(|(pair, _)| pair));
+        let agreeing = pairs.iter().zip(agree).filter(|(_, agrees)| *agrees);
+        let found = agreeing.take(FOUND).map(|((cost, i, j), _)| Candidate {
+            steps: vec![apart[*i].1.clone(), apart[*j].1.clone()],
+            cost: cost + SECOND_SLIP,
+        });
+        let found = found.collect();
+        self.sifted(found, Vec::new())
+    }
+
+    /// The nodes of what some edits put in, each once.
+    fn nodes_of(&mut self, edits: &[(usize, &Replacement)]) -> Rc<Vec<Id>> {
+        if let Some(nodes) = &self.nodes {
+            return Rc::clone(nodes);
+        }
+        let mut node = |edit: &Replacement| {
+            let expr = Expr::new(edit.kind.clone(), Span::default());
+            self.store.node(&expr)
+        };
+        let nodes = Rc::new(edits.iter().map(|(_, edit)| node(edit)).collect::<Vec<_>>());
+        self.nodes = Some(Rc::clone(&nodes));
+        nodes
     }
 
     /// The places of the printed sides that have a needed value.
@@ -210,6 +238,26 @@ impl Table {
         }
         self.sizes[*spot]
     }
+}
+
+/// The least bound on the sum of two costs, of costs in increasing order, for which there are so many
+/// pairs; no greater than `most`.
+fn bound(costs: &[u32], most: u32, pairs: usize) -> u32 {
+    let below = |sum: u32| -> usize {
+        let partners = |cost: u32| costs.partition_point(|c| *c <= sum.saturating_sub(cost));
+        let count = |(i, cost): (usize, &u32)| partners(*cost).saturating_sub(i + 1);
+        costs.iter().enumerate().map(count).sum()
+    };
+    let greatest = costs.last().map_or(0, |c| 2 * c).min(most);
+    let (mut low, mut high) = (0, greatest);
+    while low < high {
+        let middle = low.midpoint(high);
+        match below(middle) >= pairs {
+            true => high = middle,
+            false => low = middle + 1,
+        }
+    }
+    low
 }
 
 /// Whether two pairs are the same edits in another order.

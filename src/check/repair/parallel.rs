@@ -54,6 +54,8 @@ impl<'m> Seed<'m> {
             options: self.options,
             inserted: self.inserted.clone(),
             diagnostics: Vec::new(),
+            readings: Default::default(),
+            in_definitions: true,
             failure: None,
         }
     }

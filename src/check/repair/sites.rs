@@ -4,13 +4,14 @@
 use super::evaluators::{ExactFilter, Passing, passes};
 use super::pairs::Table;
 use super::parallel::{Blocks, Seed, first_until};
-use super::store::{Env, Id, Residue, Shape, Store, same};
+use super::residue::{Residue, compared, operation};
+use super::store::{Env, Id, Shape, Store};
 use super::{Candidate, edited};
 use crate::check::edit::{Address, Replacement, sites};
 use crate::check::{Checker, index_tuples};
 use crate::expr::{Display, Expr, ExprKind};
 use crate::latex;
-use crate::model::links::{Link, Place};
+use crate::model::links::{Link, Place, children_mut};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -20,6 +21,12 @@ pub(super) struct Spot {
     pub id: Id,
     pub parent: Option<usize>,
     pub step: usize,
+    /// What stands directly below.
+    pub children: Vec<usize>,
+    /// What stands below: all after this one and before that.
+    pub end: usize,
+    /// Whether it is no operation, but brackets or a brace around one.
+    plain: bool,
 }
 
 /// The candidates of a link.
@@ -39,6 +46,8 @@ pub(super) struct Trial<'r, 'm> {
     threads: usize,
     /// For pairs: what each edit puts at its place.
     pub table: Option<Rc<Table>>,
+    /// For pairs that are evaluated one by one: the node of each edit.
+    pub nodes: Option<Rc<Vec<Id>>>,
     pub tried: usize,
     pub limit: usize,
     /// Whether both sides as printed are zero.
@@ -65,7 +74,7 @@ impl<'r, 'm> Trial<'r, 'm> {
         let functions = checker.model.functions.is_some();
         let exact = functions.then_some((exact, images));
         let mut store = Store::new(display, evaluator, exact);
-        let mut spots = Vec::new();
+        let mut spots: Vec<Spot> = Vec::new();
         let mut spot_at = HashMap::new();
         for place in [link.left, link.right] {
             for site in sites(display, place) {
@@ -79,12 +88,27 @@ impl<'r, 'm> Trial<'r, 'm> {
                     }
                     None => (0, None),
                 };
-                spot_at.insert(site.address.clone(), spots.len());
+                let here = spots.len();
+                spot_at.insert(site.address.clone(), here);
+                let mut above = parent;
+                if let Some(parent) = parent {
+                    spots[parent].children.push(here);
+                }
+                while let Some(spot) = above {
+                    spots[spot].end = here + 1;
+                    above = spots[spot].parent;
+                }
                 spots.push(Spot {
                     id: store.node(site.expr),
                     address: site.address,
                     parent,
                     step,
+                    children: Vec::new(),
+                    end: here + 1,
+                    plain: matches!(
+                        site.expr.kind,
+                        ExprKind::Group { .. } | ExprKind::Underbrace { .. }
+                    ),
                 });
             }
         }
@@ -117,6 +141,7 @@ impl<'r, 'm> Trial<'r, 'm> {
                 checker.options.threads
             },
             table: None,
+            nodes: None,
             tried: 0,
             limit,
             zero: false,
@@ -155,11 +180,7 @@ impl<'r, 'm> Trial<'r, 'm> {
     /// Whether two nodes are equal; none where that cannot be told.
     fn compare(&mut self, sides: [Id; 2], env: Env) -> Option<bool> {
         let [left, right] = sides.map(|id| self.store.value(id, env));
-        match (left, right) {
-            (Residue::Is(left), Residue::Is(right)) => Some(same(&left, &right)),
-            (Residue::Unknown, _) | (_, Residue::Unknown) => None,
-            _ => Some(false),
-        }
+        compared(&left, &right)
     }
 
     /// The node of a side with an edit.
@@ -176,11 +197,7 @@ impl<'r, 'm> Trial<'r, 'm> {
 
     /// The node of a subexpression with another child; none where its children are no nodes.
     fn with_child(&mut self, parent: usize, step: usize, child: Id) -> Option<Id> {
-        let expr = self.spots[parent].address.find(self.display)?;
-        if matches!(
-            expr.kind,
-            ExprKind::Group { .. } | ExprKind::Underbrace { .. }
-        ) {
+        if self.spots[parent].plain {
             return Some(child);
         }
         let mut shape = (*self.store.shape(self.spots[parent].id)).clone();
@@ -251,8 +268,7 @@ impl<'r, 'm> Trial<'r, 'm> {
             if !trial.fast || trial.touches_elsewhere(candidate) {
                 return None;
             }
-            let sides = trial.edited_sides(&candidate.steps);
-            trial.compare(sides, trial.env)
+            trial.told(&candidate.steps)
         };
         let verdicts = self.each(candidates.len(), left, judge, |_| 1);
         self.tried += verdicts.len();
@@ -268,10 +284,90 @@ impl<'r, 'm> Trial<'r, 'm> {
         self.sifted(found, unknown)
     }
 
-    /// Whether the sides agree with some edits, at the first indices that tell.
-    pub fn agrees(&mut self, candidate: &Candidate) -> bool {
-        let sides = self.edited_sides(&candidate.steps);
-        self.compare(sides, self.env) == Some(true)
+    /// Whether the sides agree with some edits, at the first indices that tell; none where that cannot
+    /// be told.
+    fn told(&mut self, steps: &[Replacement]) -> Option<bool> {
+        if let Some(puts) = self.puts(steps) {
+            let sides = [self.link.left, self.link.right];
+            let [left, right] = sides.map(|place| self.side_with(place, &puts));
+            return compared(&left, &right);
+        }
+        let sides = self.edited_sides(steps);
+        self.compare(sides, self.env)
+    }
+
+    /// Several edits at places of which none holds another, with their nodes.
+    fn puts<'e>(&mut self, steps: &'e [Replacement]) -> Option<Vec<(usize, Id, &'e Replacement)>> {
+        let mut puts: Vec<(usize, Id, &Replacement)> = Vec::with_capacity(steps.len());
+        if steps.len() < 2 {
+            return None;
+        }
+        for step in steps {
+            let spot = *self.spot_at.get(&step.address)?;
+            if puts.iter().any(|(other, ..)| self.are_nested(spot, *other)) {
+                return None;
+            }
+            let expr = Expr::new(step.kind.clone(), crate::span::Span::default());
+            puts.push((spot, self.store.node(&expr), step));
+        }
+        Some(puts)
+    }
+
+    /// Whether one of two places holds the other.
+    pub fn are_nested(&self, one: usize, two: usize) -> bool {
+        let holds = |a: usize, b: usize| (a..self.spots[a].end).contains(&b);
+        holds(one, two) || holds(two, one)
+    }
+
+    /// The value of a side with other nodes put in some of its places, which keeps nothing.
+    pub fn side_with(&mut self, place: Place, puts: &[(usize, Id, &Replacement)]) -> Residue {
+        let Some(root) = self.spot_at.get(&Address::of_side(place)).copied() else {
+            return Residue::Unknown;
+        };
+        if let Some(residue) = self.value_with(root, puts) {
+            return residue;
+        }
+        let Some(printed) = place.find(self.display) else {
+            return Residue::Unknown;
+        };
+        let mut side = printed.clone();
+        for (_, _, edit) in puts.iter().filter(|(_, _, e)| e.address.place == place) {
+            if let Some(expr) = at_path(&mut side, &edit.address.path) {
+                expr.kind = edit.kind.clone();
+            }
+        }
+        self.store.evaluated(&side, self.env)
+    }
+
+    /// The value of a printed subexpression with other nodes put in some places below it; none where
+    /// only the whole expression tells.
+    fn value_with(&mut self, spot: usize, puts: &[(usize, Id, &Replacement)]) -> Option<Residue> {
+        if let Some((_, id, _)) = puts.iter().find(|(at, ..)| *at == spot) {
+            return Some(self.store.value(*id, self.env));
+        }
+        let here = &self.spots[spot];
+        let inside = |from: usize| puts.iter().any(|(at, ..)| (from..here.end).contains(at));
+        if !inside(spot) {
+            return Some(self.store.value(here.id, self.env));
+        }
+        if here.plain {
+            return self.value_with(*here.children.first()?, puts);
+        }
+        let shape = self.store.shape(here.id);
+        // An exponent is no operand.
+        if let Some(next) = here.children.get(shape.operands())
+            && inside(*next)
+        {
+            return None;
+        }
+        let mut told = true;
+        let residue = operation(&shape, &mut |k, _| {
+            let child = self.spots[spot].children.get(k).copied();
+            let value = child.and_then(|child| self.value_with(child, puts));
+            told &= value.is_some();
+            value.unwrap_or(Residue::Unknown)
+        });
+        residue.filter(|_| told)
     }
 
     /// Whether an edit changes what stands in neither side.
@@ -315,6 +411,14 @@ impl<'r, 'm> Trial<'r, 'm> {
         }
         passing
     }
+}
+
+/// The subexpression at the end of a path.
+fn at_path<'e>(mut expr: &'e mut Expr, path: &[usize]) -> Option<&'e mut Expr> {
+    for step in path {
+        expr = children_mut(expr).into_iter().nth(*step)?;
+    }
+    Some(expr)
 }
 
 /// Whether a side is "some constant", or something is defined by cases.

@@ -8,8 +8,8 @@
 
 use super::Candidate;
 use super::needed::Walk;
+use super::residue::Residue;
 use super::sites::Trial;
-use super::store::Residue;
 use crate::check::edit::build::{factors, number, power, product, quotient, rational, sum, terms};
 use crate::check::edit::{Address, Context, Kind, Replacement, cost_of, sites};
 use crate::domain::{Domain, PrimeField};
@@ -186,12 +186,12 @@ fn monomials(values: &[u64]) -> HashMap<u64, Exponents> {
                         }
                         _ => longer.push((l, step)),
                     }
+                    if found.len() + next.len() >= MONOMIALS {
+                        return found;
+                    }
                     next.push((field.multiply(value, &factor), longer));
                 }
             }
-        }
-        if found.len() + next.len() > MONOMIALS {
-            break;
         }
         for (value, exponents) in &next {
             found.entry(*value).or_insert_with(|| exponents.clone());

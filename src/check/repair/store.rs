@@ -8,11 +8,11 @@
 
 use super::evaluators::Exact;
 use super::images::Images;
-use crate::domain::{Domain, PRIME, PrimeField};
-use crate::evaluate::{Evaluator, Failure, FailureKind, Value, value};
+use super::residue::{Residue, operation};
+use crate::domain::{Domain, PrimeField};
+use crate::evaluate::{Evaluator, FailureKind, Value, value};
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
 use crate::latex;
-use crate::matrix::Matrix;
 use crate::model::links::{each_expression, visit};
 use crate::model::names::literal_integer;
 use crate::span::Span;
@@ -24,26 +24,6 @@ use std::rc::Rc;
 pub(super) type Id = usize;
 /// An assignment of the bound indices; 0 is the empty one.
 pub(super) type Env = usize;
-
-/// What a node comes to modulo the prime.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Residue {
-    /// This.
-    Is(Value<u64>),
-    /// It has no value: a divisor that vanishes, a name that does not exist, shapes that do not fit.
-    Absent,
-    /// It cannot be told here.
-    Unknown,
-}
-
-impl Residue {
-    pub fn value(&self) -> Option<&Value<u64>> {
-        match self {
-            Residue::Is(value) => Some(value),
-            _ => None,
-        }
-    }
-}
 
 /// What a node is made of.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -60,6 +40,19 @@ pub(super) enum Shape {
     Running(Name, usize, usize, Id),
     /// Anything else.
     Whole(usize),
+}
+
+impl Shape {
+    /// How many of the children of the expression are operands; none where it is no operation.
+    pub fn operands(&self) -> usize {
+        match self {
+            Shape::Sum(terms) => terms.len(),
+            Shape::Product(ids) | Shape::Matrix(_, ids) => ids.len(),
+            Shape::Quotient(..) => 2,
+            Shape::Power(..) | Shape::Transpose(_) => 1,
+            Shape::Number(_) | Shape::Name(_) | Shape::Running(..) | Shape::Whole(_) => 0,
+        }
+    }
 }
 
 struct Node {
@@ -287,117 +280,18 @@ impl<'m> Store<'m> {
     }
 
     fn compute(&mut self, id: Id, env: Env) -> Residue {
-        let field = PrimeField;
-        let span = Span::default();
         let shape = self.shape(id);
         match &*shape {
-            Shape::Number(number) => match field.rational(number) {
+            Shape::Number(number) => match PrimeField.rational(number) {
                 Some(n) => Residue::Is(Value::Scalar(n)),
                 None => Residue::Absent,
             },
-            Shape::Sum(terms) => {
-                let mut sum: Option<Value<u64>> = None;
-                for (sign, term) in terms {
-                    let value = match self.value(*term, env) {
-                        Residue::Is(value) => value,
-                        other => return other,
-                    };
-                    let next = match (&sum, sign) {
-                        (None, Sign::Plus) => Ok(value),
-                        (None, Sign::Minus) => Ok(value::negate(&field, &value)),
-                        (Some(s), Sign::Plus) => value::add(&field, s, &value, span),
-                        (Some(s), Sign::Minus) => value::subtract(&field, s, &value, span),
-                    };
-                    match next {
-                        Ok(next) => sum = Some(next),
-                        // Blocks of zeros may still fit.
-                        Err(_) => return self.evaluated(id, env),
-                    }
-                }
-                sum.map_or(Residue::Absent, Residue::Is)
-            }
-            Shape::Product(factors) => {
-                let mut product: Option<Value<u64>> = None;
-                for factor in factors {
-                    let value = match self.value(*factor, env) {
-                        Residue::Is(value) => value,
-                        other => return other,
-                    };
-                    product = Some(match product {
-                        None => value,
-                        Some(p) => match value::multiply(&field, &p, &value, span) {
-                            Ok(value) => value,
-                            Err(_) => return Residue::Absent,
-                        },
-                    });
-                }
-                product.map_or(Residue::Absent, Residue::Is)
-            }
-            Shape::Quotient(above, below) => {
-                let (above, below) = (self.value(*above, env), self.value(*below, env));
-                match (above, below) {
-                    (Residue::Is(above), Residue::Is(Value::Scalar(below))) => {
-                        let inverse = field.divide(&1, &below).map(Value::Scalar);
-                        let quotient =
-                            inverse.and_then(|i| value::multiply(&field, &i, &above, span).ok());
-                        quotient.map_or(Residue::Absent, Residue::Is)
-                    }
-                    (Residue::Unknown, _) | (_, Residue::Unknown) => Residue::Unknown,
-                    _ => Residue::Absent,
-                }
-            }
-            Shape::Power(base, exponent) => match self.value(*base, env) {
-                Residue::Is(Value::Scalar(s)) => {
-                    let base = if *exponent < 0 {
-                        field.divide(&1, &s)
-                    } else {
-                        Some(s)
-                    };
-                    let magnitude = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
-                    let power = base.and_then(|b| field.power(&b, magnitude));
-                    power.map_or(Residue::Absent, |p| Residue::Is(Value::Scalar(p)))
-                }
-                Residue::Is(Value::Zero) => Residue::Is(Value::Zero),
-                Residue::Is(Value::Matrix(matrix)) => {
-                    let factor = match exponent {
-                        0 => return Residue::Unknown,
-                        1.. => Ok(matrix),
-                        _ => value::invert(&field, &matrix, span),
-                    };
-                    let Ok(factor) = factor.map(Value::Matrix) else {
-                        return Residue::Absent;
-                    };
-                    let mut product = factor.clone();
-                    for _ in 1..exponent.unsigned_abs() {
-                        match value::multiply(&field, &product, &factor, span) {
-                            Ok(next) => product = next,
-                            Err(_) => return Residue::Absent,
-                        }
-                    }
-                    Residue::Is(product)
-                }
-                other => other,
-            },
-            Shape::Transpose(inner) => match self.value(*inner, env) {
-                Residue::Is(Value::Matrix(m)) => Residue::Is(Value::Matrix(m.transpose())),
-                other => other,
-            },
-            Shape::Matrix(columns, entries) => {
-                let mut values = Vec::with_capacity(entries.len());
-                for entry in entries {
-                    match self.value(*entry, env) {
-                        Residue::Is(Value::Scalar(s)) => values.push(s),
-                        Residue::Is(_) => return self.evaluated(id, env),
-                        other => return other,
-                    }
-                }
-                let rows = values.len() / (*columns).max(1);
-                let entry = |i: usize, j: usize| values[i * columns + j];
-                let matrix = Matrix::from_fn(rows, *columns, entry);
-                Residue::Is(Value::from_matrix(matrix))
-            }
             Shape::Running(index, from, to, body) => self.running(index, [*from, *to], *body, env),
-            Shape::Name(_) | Shape::Whole(_) => self.evaluated(id, env),
+            Shape::Name(_) | Shape::Whole(_) => self.evaluated_node(id, env),
+            shape => match operation(shape, &mut |_, operand| self.value(operand, env)) {
+                Some(residue) => residue,
+                None => self.evaluated_node(id, env),
+            },
         }
     }
 
@@ -434,13 +328,17 @@ impl<'m> Store<'m> {
         })
     }
 
-    /// What the evaluator says of a node.
-    fn evaluated(&mut self, id: Id, env: Env) -> Residue {
-        let Some(expr) = self.nodes[id].expr.clone() else {
-            return Residue::Unknown;
-        };
+    fn evaluated_node(&mut self, id: Id, env: Env) -> Residue {
+        match self.nodes[id].expr.clone() {
+            Some(expr) => self.evaluated(&expr, env),
+            None => Residue::Unknown,
+        }
+    }
+
+    /// What the evaluator says of an expression.
+    pub fn evaluated(&mut self, expr: &Expr, env: Env) -> Residue {
         let bound = self.envs[env].clone();
-        let value = self.evaluator.with_indices(&bound, |e| e.expression(&expr));
+        let value = self.evaluator.with_indices(&bound, |e| e.expression(expr));
         let failure = match value {
             Ok(value) => return Residue::Is(value),
             Err(failure) => failure,
@@ -452,30 +350,19 @@ impl<'m> Store<'m> {
         };
         let value = exact
             .borrow_mut()
-            .with_indices(&bound, |e| e.expression(&expr))
-            .and_then(|v| v.try_map(|f| images.image(f).map_err(|k| Failure::new(k, expr.span))));
-        match value {
+            .with_indices(&bound, |e| e.expression(expr));
+        let value = match value {
+            Ok(value) => value,
+            // Another reserve of letters may be enough.
+            Err(failure) if matches!(failure.kind, FailureKind::Budget { .. }) => {
+                return Residue::Unknown;
+            }
+            Err(_) => return Residue::Absent,
+        };
+        match value.try_map(|element| images.image(element)) {
             Ok(value) => Residue::Is(value),
-            Err(Failure {
-                kind: FailureKind::Unsupported { .. } | FailureKind::Budget { .. },
-                ..
-            }) => Residue::Unknown,
+            Err(FailureKind::Unsupported { .. }) => Residue::Unknown,
             Err(_) => Residue::Absent,
         }
     }
 }
-
-/// Whether two values are equal, a zero of any shape among them.
-pub(super) fn same(left: &Value<u64>, right: &Value<u64>) -> bool {
-    let zero = |v: &Value<u64>| v.entries().iter().all(|e| **e == 0);
-    match (left, right) {
-        (Value::Zero, other) | (other, Value::Zero) => zero(other),
-        (Value::Scalar(0), other) | (other, Value::Scalar(0)) => zero(other),
-        _ => left == right,
-    }
-}
-
-const _: () = assert!(
-    PRIME % 4 == 3,
-    "square roots are powers modulo such a prime"
-);
