@@ -399,7 +399,8 @@ impl Domain for PrimeField {
         }
     }
     fn multiply(&self, left: &u64, right: &u64) -> u64 {
-        // Twice 2^61 becomes 259: below 2^122 first, then below 2^70, at last below 2^61 + 2^18.
+        // Modulo the prime 2^61 is 259. The product is below 2^122, folded once below 2^70, folded twice
+        // below 2^61 + 2^18.
         let fold = |x: u128| (x & ((1 << 61) - 1)) + (x >> 61) * u128::from(EXCESS);
         let folded = fold(fold(u128::from(*left) * u128::from(*right))) as u64;
         if folded >= PRIME {
