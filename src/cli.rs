@@ -190,18 +190,24 @@ fn audits(
 ) -> io::Result<(Vec<Audit>, usize)> {
     let documents = input::read(paths);
     watch.begin("checking", documents.len());
-    let found = in_parallel(&documents, |document| {
+    // The longest first: none is left for one thread at the end.
+    let length = |k: &usize| documents[*k].as_ref().map_or(0, |d| d.text.len());
+    let mut order: Vec<usize> = (0..documents.len()).collect();
+    order.sort_by_key(|k| std::cmp::Reverse(length(k)));
+    let found = in_parallel(&order, |k| {
         let begun = !watch.stop();
-        let audit = begun.then(|| match document {
+        let audit = begun.then(|| match &documents[*k] {
             Ok(document) => Audit::of(document, options),
             Err(rejection) => Err(rejection.clone()),
         });
         watch.advance();
         audit
     });
+    let mut found: Vec<_> = order.into_iter().zip(found).collect();
+    found.sort_by_key(|(k, _)| *k);
     let mut audits = Vec::new();
     let mut rejections = Vec::new();
-    for audit in found.into_iter().flatten() {
+    for audit in found.into_iter().filter_map(|(_, audit)| audit) {
         match audit {
             Ok(audit) => audits.push(audit),
             Err(rejection) => rejections.push(rejection),

@@ -185,8 +185,21 @@ impl Reader<'_> {
         }
         match word.as_str() {
             "frac" | "tfrac" | "dfrac" => {
-                let (top, bottom) = (self.argument(), self.argument());
-                self.out += &format!("{}/{}", bracketed(&top), bracketed(&bottom));
+                let top = self.argument();
+                let below = self.rest;
+                let bottom = self.argument();
+                let below = &below[..below.len() - self.rest.len()];
+                // Without a bracket a/bc reads as (a/b)c; d/dx is one sign.
+                let sign = |part: &str| match part.as_bytes() {
+                    [b'd', next, ..] => *next != b'_',
+                    part => part == b"d" || part.starts_with("∂".as_bytes()),
+                };
+                let derivative = sign(&top) && sign(&bottom);
+                let bottom = match factors(below) > 1 && !derivative {
+                    true => format!("({bottom})"),
+                    false => bracketed(&bottom),
+                };
+                self.out += &format!("{}/{bottom}", bracketed(&top));
             }
             "dot" => self.dotted(1),
             "ddot" => self.dotted(2),
@@ -297,6 +310,39 @@ impl Reader<'_> {
     }
 }
 
+/// How many letters, numbers and groups stand beside each other in LaTeX; scripts belong to what they
+/// stand at.
+fn factors(latex: &str) -> usize {
+    let latex = latex.trim();
+    let mut reader = Reader {
+        rest: latex
+            .strip_prefix('{')
+            .and_then(|inner| inner.strip_suffix('}'))
+            .unwrap_or(latex),
+        out: String::new(),
+    };
+    let mut count = 0;
+    let mut in_number = false;
+    while let Some(c) = reader.rest.trim_start().chars().next() {
+        let digit = c.is_ascii_digit();
+        match c {
+            '_' | '^' => {
+                reader.skip_blanks();
+                reader.take();
+                reader.argument();
+            }
+            _ => {
+                // A root stands before what it is taken of.
+                let root = reader.rest.trim_start().starts_with("\\sqrt");
+                reader.argument();
+                count += usize::from(!(digit && in_number || root));
+            }
+        }
+        in_number = digit;
+    }
+    count
+}
+
 fn bracketed(inner: &str) -> String {
     let plain = inner
         .chars()
@@ -344,6 +390,13 @@ mod tests {
             ("\\det H = a_4H_3", "det H = a_4H_3"),
             ("\\frac{c_A}{m_A}", "c_A/m_A"),
             ("\\frac{1}{2 \\det \\mathbf{H}}", "1/(2 det H)"),
+            ("\\frac{x}{d_A m_A^2}", "x/(d_A m_A^2)"),
+            ("\\frac{a}{12\\tilde{b}_{ij}}", "a/(12b~_ij)"),
+            ("\\frac12 x", "1/2 x"),
+            ("\\frac{a}{12}", "a/12"),
+            ("\\frac{d}{d\\Omega}", "d/dΩ"),
+            ("\\frac{d_A}{d_R m}", "d_A/(d_R m)"),
+            ("\\frac{a}{\\sqrt{3}}", "a/(√3)"),
             ("c[0 \\ 0 \\ 1]^T", "c[0 0 1]^T"),
             ("\\left(1 + \\frac{m_R}{m_A} \\right)^3", "(1 + m_R/m_A)^3"),
             (
