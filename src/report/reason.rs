@@ -327,6 +327,12 @@ pub fn where_it_holds(formulas: &Formulas, part: &Part) -> Prose {
     }
 }
 
+/// Whether the difference of the sides of an entry is too long for a line.
+pub fn is_long(formulas: &Formulas, entry: &ResidualEntry) -> bool {
+    let [_, plain] = difference(formulas, &entry.difference());
+    plain.chars().count() > LONG
+}
+
 /// `lhs - rhs = ...`, or how long it would be.
 fn short([latex, plain]: [String; 2], entry: &ResidualEntry) -> Prose {
     if plain.chars().count() > LONG {

@@ -377,7 +377,7 @@ pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Pr
                 " (a minor of {}, which is positive definite)",
                 crate::report::plain::plain(name)
             ),
-            Some(Because::Sign) => " (of one sign for all values of the letters)".to_string(),
+            Some(Because::Sign) => " (zero for no values of the letters)".to_string(),
             None => " (which nothing declared here ensures)".to_string(),
         })
     });

@@ -171,7 +171,8 @@ impl Checker<'_> {
         }
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         let mut images = all.letters;
-        for symbol in &proposition.fixed {
+        let letters = &proposition.letters;
+        for symbol in proposition.fixed.iter().filter(|s| !letters.contains(s)) {
             if let Some(letter) = ground.letters[*symbol]
                 && let Some(own) = &ground.reference[letter]
             {

@@ -11,9 +11,11 @@ use crate::report::algebraic::{equals, shown};
 use crate::report::formula::Formulas;
 use crate::report::prose::Prose;
 use crate::report::reason::{
-    bare_reason, classes, edits, equation_of, labels, number_of, place_of, relations, uniqueness,
+    bare_reason, classes, edits, equation_of, is_long, labels, number_of, place_of, relations,
+    uniqueness,
 };
 use crate::report::statement;
+use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::{Fact, Loose, Scope, StatementOutcome};
 use crate::verdict::{Changed, Correction, Outcome, Refutation, Verdict};
 use num_rational::BigRational;
@@ -176,6 +178,7 @@ impl Collector<'_> {
                         Some(known) => known.equations.push(number),
                         None => sheet.unwritten.push(Unwritten {
                             relations: line,
+                            implied: !given.implied_by.is_empty(),
                             equations: vec![number],
                             note: None,
                         }),
@@ -298,7 +301,7 @@ impl Collector<'_> {
         let named = |outcome: &Outcome, rest: Prose| {
             Prose::of(format!("({}): ", number_of(self.audit, outcome))).then(rest)
         };
-        let why = claims.iter().map(|o| named(o, self.why(o)));
+        let why = claims.iter().filter_map(|o| Some(named(o, self.why(o)?)));
         let effects = claims
             .iter()
             .filter_map(|o| Some(named(o, effect(&self.changes.by(o))?)));
@@ -371,10 +374,8 @@ impl Collector<'_> {
                 }
             };
             corrections.push(name.clone().then(line));
-            let because = self.why(outcome);
-            if !because.is_empty() {
-                why.push(name.clone().then(because));
-            }
+            let because = self.why(outcome).filter(|because| !because.is_empty());
+            why.extend(because.map(|because| name.clone().then(because)));
             if let Some(effect) = effect(&self.changes.by(outcome)) {
                 effects.push(name.then(effect));
             }
@@ -425,19 +426,38 @@ impl Collector<'_> {
         }
     }
 
-    fn why(&self, outcome: &Outcome) -> Prose {
+    /// Why an equation is false; none where there is only the length of a difference to tell.
+    fn why(&self, outcome: &Outcome) -> Option<Prose> {
         let (Verdict::Misprint { refutation, .. } | Verdict::Refuted(refutation)) =
             &outcome.verdict
         else {
-            return Prose::new();
+            return None;
         };
         let mut shorter: Refutation = refutation.clone();
         shorter.witness = shorter.witness.filter(|w| w.point.len() <= WITNESS);
+        // Only the first entry's difference would be shown.
+        let Refutation {
+            flaw: None,
+            missing: None,
+            misfit: None,
+            witness: None,
+            part: None,
+            residual,
+            ..
+        } = &shorter
+        else {
+            return Some(self.reason_for(outcome, shorter));
+        };
+        let long = residual.first().is_some_and(|e| is_long(&self.formulas, e));
+        (!long).then(|| self.reason_for(outcome, shorter))
+    }
+
+    fn reason_for(&self, outcome: &Outcome, refutation: Refutation) -> Prose {
         bare_reason(
             self.audit,
             &self.formulas,
             &Outcome {
-                verdict: Verdict::Refuted(shorter),
+                verdict: Verdict::Refuted(refutation),
                 ..outcome.clone()
             },
         )
@@ -494,6 +514,7 @@ fn unwritten(equation: &Equation) -> Unwritten {
     let formula = equation.source.trim().trim_end_matches(['.', ',']);
     let needed = equation.settings.unwritten.iter();
     Unwritten {
+        implied: false,
         relations: Prose::new().formula(
             crate::report::latex::printed::printed(formula),
             crate::report::plain::plain(formula),
@@ -533,6 +554,14 @@ fn effect(changes: &[Change]) -> Option<Prose> {
         _ => None,
     };
     let everywhere = constant.is_some();
+    // What is zero as printed, such as a distribution at a wrong argument, has no size to compare.
+    let zero = |value: &Algebraic| {
+        let minus_one = BigRational::from_integer((-1).into());
+        value.compare(&minus_one.into()).is_eq()
+    };
+    if constant.as_ref().is_some_and(zero) {
+        return None;
+    }
     if let Some(value) = constant {
         line = line.then(equals(&value)).words(" everywhere");
     } else if let Some(value) = &most.at_reference {

@@ -90,7 +90,7 @@ fn erratum(tex: &mut Tex, one: &Erratum) {
         tex.line("and should read");
         tex.display(&printed(corrected));
     }
-    let mut line = Prose::new();
+    let mut items: Vec<Prose> = Vec::new();
     for (title, lines) in [
         ("Correction", &one.corrections),
         ("Why", &one.why),
@@ -98,26 +98,26 @@ fn erratum(tex: &mut Tex, one: &Erratum) {
     ] {
         if !lines.is_empty() {
             let all = Prose::joined(lines.iter().cloned(), "; ");
-            line = line.words(format!("{title}: ")).then(all).words(". ");
+            items.push(Prose::of(format!("{title}: ")).then(all).words("."));
         }
     }
-    tex.paragraph(&line.then(remarks(&one.source, &one.note)));
+    items.extend(source(&one.source));
+    items.extend(one.note.as_ref().map(noted));
+    tex.list(&items);
 }
 
-/// Where a slip came in, and the document's note.
-fn remarks(source: &Option<(Source, Prose)>, note: &Option<Prose>) -> Prose {
-    let mut line = Prose::new();
-    if let Some((source, because)) = source {
-        line = line.words(format!("Likelier the {}'s", source.as_str()));
-        line = match because.is_empty() {
-            true => line.words(". "),
-            false => line.words(": ").then(because.clone()).words(". "),
-        };
-    }
-    match note {
-        Some(note) => line.words("Note: ").then(note.clone()),
-        None => line,
-    }
+/// Where a slip came in.
+fn source(source: &Option<(Source, Prose)>) -> Option<Prose> {
+    let (source, because) = source.as_ref()?;
+    let line = Prose::of(format!("Likelier the {}'s", source.as_str()));
+    Some(match because.is_empty() {
+        true => line.words("."),
+        false => line.words(": ").then(because.clone()).words("."),
+    })
+}
+
+fn noted(note: &Prose) -> Prose {
+    Prose::of("Note: ").then(note.clone())
 }
 
 fn sentence(tex: &mut Tex, one: &Sentence) {
@@ -148,5 +148,11 @@ fn sentence(tex: &mut Tex, one: &Sentence) {
     for fact in &one.facts {
         line = line.then(fact.clone().capitalised()).words(". ");
     }
-    tex.paragraph(&line.then(remarks(&one.source, &one.note)));
+    if let Some(source) = source(&one.source) {
+        line = line.then(source).words(" ");
+    }
+    tex.paragraph(&match &one.note {
+        Some(note) => line.then(noted(note)),
+        None => line,
+    });
 }

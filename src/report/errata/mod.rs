@@ -16,6 +16,7 @@ pub use markdown::markdown;
 
 use crate::document::Source;
 use crate::report::prose::Prose;
+use std::collections::BTreeSet;
 
 /// The errata of one paper, or of one document that names no paper.
 #[derive(Clone, Debug, Default)]
@@ -67,6 +68,8 @@ pub struct Erratum {
 pub struct Unwritten {
     /// What, and which equations imply it.
     pub relations: Prose,
+    /// Whether other equations of the paper imply it.
+    pub implied: bool,
     /// The equations that need it.
     pub equations: Vec<String>,
     /// The document's own remark.
@@ -146,15 +149,21 @@ impl Sheet {
                 count(ours.len(), "equation", "equations")
             ));
         }
-        let needy = |u: &Unwritten| u.equations.clone();
-        let mut equations: Vec<String> = self.unwritten.iter().flat_map(needy).collect();
-        equations.sort();
-        equations.dedup();
+        let needy = |implied: bool| {
+            let unwritten = self.unwritten.iter().filter(|u| u.implied == implied);
+            let equations: BTreeSet<&String> = unwritten.flat_map(|u| &u.equations).collect();
+            equations.len()
+        };
         for (n, one, many) in [
             (
-                equations.len(),
+                needy(false),
                 "equation that needs something which is not written",
                 "equations that need something which is not written",
+            ),
+            (
+                needy(true),
+                "equation that uses what others imply without saying so",
+                "equations that use what others imply without saying so",
             ),
             (self.sentences.len(), "false sentence", "false sentences"),
             (

@@ -67,18 +67,24 @@ pub(super) fn write(tex: &mut Tex, paper: &Paper, inspections: &[Inspection]) {
     }
 }
 
+/// `(1), (4) to (9)`: three and more in a row by the first and the last.
+fn runs(numbers: &[u32]) -> String {
+    let follows = |one: &u32, next: &u32| *next == one + 1;
+    let parts = numbers.chunk_by(follows).flat_map(|run| match run {
+        [first, _, .., last] => vec![format!("({first}) to ({last})")],
+        short => short.iter().map(|n| format!("({n})")).collect(),
+    });
+    parts.collect::<Vec<_>>().join(", ")
+}
+
 /// `(4), (5): f = 2, 3` and what else the verdicts of a document rest on.
 fn ground(audit: &Audit) -> Option<Prose> {
     let document = &audit.model.document;
-    let numbers: Vec<String> = document
-        .announced_numbers()
-        .map(|n| format!("({n})"))
-        .collect();
-    let about = match numbers.as_slice() {
-        [] => return None,
-        [one] => one.clone(),
-        [first, .., last] => format!("{first} to {last}"),
-    };
+    let numbers: Vec<u32> = document.announced_numbers().collect();
+    if numbers.is_empty() {
+        return None;
+    }
+    let about = runs(&numbers);
     let sizes = document.instance_letters.iter().map(|(letter, values)| {
         let values: Vec<String> = values.iter().map(usize::to_string).collect();
         Prose::new()

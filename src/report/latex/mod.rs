@@ -39,6 +39,9 @@ pub fn report(inspections: &[Inspection]) -> String {
         )));
         grounds::write(&mut tex, &paper, inspections);
     }
+    if inspections.len() > 1 {
+        tex.line("\\tableofcontents");
+    }
     let audits: Vec<&crate::audit::Audit> = inspections.iter().map(|i| &i.audit).collect();
     let sheets: Vec<_> = crate::report::errata::sheets(&audits)
         .into_iter()
@@ -57,8 +60,8 @@ pub fn report(inspections: &[Inspection]) -> String {
         let audit = &inspection.audit;
         let formulas = Formulas::of(&audit.model);
         tex.line(&format!(
-            "\\section{{{}}}",
-            escape(&audit.model.document.title)
+            "\n\\keeproom[18]\n\\section{{{}}}",
+            preamble::heading(inspection)
         ));
         summary::write(&mut tex, audit, &formulas);
         equations::write(&mut tex, audit, &formulas);
@@ -68,6 +71,7 @@ pub fn report(inspections: &[Inspection]) -> String {
         floating::write(&mut tex, inspection);
         units::write(&mut tex, audit);
     }
+    tex.push(&preamble::documents(inspections));
     tex.line("\\end{document}");
     tex.text
 }
@@ -105,6 +109,20 @@ impl Tex {
             self.line("");
             self.line(text.trim());
         }
+    }
+
+    /// Paragraphs as a list.
+    pub(crate) fn list(&mut self, items: &[Prose]) {
+        let items: Vec<String> = items.iter().map(Prose::to_latex).collect();
+        let items: Vec<&str> = items.iter().map(|item| item.trim()).collect();
+        if items.iter().all(|item| item.is_empty()) {
+            return;
+        }
+        self.line("\\begin{itemize}\\setlength{\\itemsep}{0pt}");
+        for item in items.into_iter().filter(|item| !item.is_empty()) {
+            self.line(&format!("\\item {item}"));
+        }
+        self.line("\\end{itemize}");
     }
 
     /// The words before a table, with which it stands on one page.

@@ -1,4 +1,4 @@
-//! The head of the report, and the words on the method.
+//! The head of the report, the words on the method, and the texts that were read.
 
 use super::escape::{code, escape};
 use crate::inspection::Inspection;
@@ -19,16 +19,19 @@ pub(crate) const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
 \setlength{\textheight}{235mm}
 \setlength{\topmargin}{-5mm}
 \setlength{\emergencystretch}{3em}
+% Fractions in the text do not touch the lines above.
+\setlength{\lineskiplimit}{2pt}
+\setlength{\lineskip}{3pt}
 \setlength{\LTleft}{0pt}
 \setlength{\LTright}{0pt plus 1fill}
 \allowdisplaybreaks
-\setcounter{tocdepth}{2}
+\setcounter{tocdepth}{1}
 % The same input gives the same bytes.
 \ifdefined\pdftrailerid\pdftrailerid{}\fi
 \ifdefined\pdfsuppressptexinfo\pdfsuppressptexinfo=-1\fi
 % \keeproom: a heading does not stand alone at the foot of a page.
-\newcommand{\keeproom}{\par\ifdim\pagegoal<\maxdimen
-  \ifdim\dimexpr\pagegoal-\pagetotal\relax<9\baselineskip\newpage\fi\fi}
+\newcommand{\keeproom}[1][9]{\par\ifdim\pagegoal<\maxdimen
+  \ifdim\dimexpr\pagegoal-\pagetotal\relax<#1\baselineskip\newpage\fi\fi}
 % \fitted{number}{formula}: a display in the largest size in which it fits its line.
 \newsavebox{\fitbox}
 \newsavebox{\fitnumber}
@@ -40,57 +43,70 @@ pub(crate) const HEAD: &str = r"\documentclass[11pt,a4paper]{article}
   \fitin{\scriptsize}{#1}{#2}{\tiny\fitset{#1}{#2}}}}}\endgroup}
 ";
 
-/// Everything before the method: packages, title, what the input was.
+/// Everything before the first section: packages and title.
 pub(super) fn preamble(inspections: &[Inspection]) -> String {
     let mut out = String::from(HEAD);
     out += MACROS;
-    let title = match inspections {
-        [only] => format!(
-            "{}: a re-derivation",
-            escape(&only.audit.model.document.title)
-        ),
-        [first, ..] => {
-            let paper = |i: &Inspection| {
-                i.audit
-                    .model
-                    .document
-                    .paper
-                    .as_ref()
-                    .map(|p| p.title.text.clone())
-            };
-            match paper(first) {
-                Some(title)
-                    if inspections
-                        .iter()
-                        .all(|i| paper(i).as_ref() == Some(&title)) =>
-                {
-                    format!("{}: a re-derivation", escape(&title))
-                }
-                _ => "Equations re-derived".to_string(),
-            }
-        }
-        [] => "Equations re-derived".to_string(),
+    // The paper that all documents with one are of: others may say what it builds on.
+    let mut papers = inspections.iter().filter_map(paper_of);
+    let first = papers.next();
+    let title = match (inspections, first) {
+        ([only], _) => Some(&only.audit.model.document.title[..]),
+        (_, Some(title)) if papers.all(|other| other == title) => Some(title),
+        _ => None,
     };
+    let title = title.map_or("Equations re-derived".to_string(), |title| {
+        format!("{}: a re-derivation", escape(title))
+    });
     out += &format!(
         "\\title{{{title}}}\n\\author{{rederive {}}}\n\\date{{}}\n",
         escape(env!("CARGO_PKG_VERSION"))
     );
     out += "\\begin{document}\n\\maketitle\n";
-    out += "\\begin{center}\n\\begin{tabular}{@{}>{\\raggedright\\arraybackslash}p{0.3\\linewidth}";
-    out += ">{\\raggedright\\arraybackslash}p{0.62\\linewidth}@{}}\n\\toprule\n";
-    out += "Document & SHA-256 of its text \\\\\n\\midrule\n";
+    out
+}
+
+/// The title of the paper that a document covers a part of.
+fn paper_of(inspection: &Inspection) -> Option<&str> {
+    let paper = inspection.audit.model.document.paper.as_ref()?;
+    Some(&paper.title.text)
+}
+
+/// The heading of a document: its title, without that of the paper which all are of.
+pub(super) fn heading(inspection: &Inspection) -> String {
+    let title = &inspection.audit.model.document.title[..];
+    // Titles of papers may begin with their authors.
+    let own = title.split_once(": ").filter(|(of, _)| {
+        let paper = paper_of(inspection);
+        paper.is_some_and(|paper| paper.ends_with(of))
+    });
+    let Some((_, own)) = own else {
+        return escape(title);
+    };
+    let mut letters = own.chars();
+    let first = letters.next().map(char::to_uppercase);
+    escape(
+        &first
+            .into_iter()
+            .flatten()
+            .chain(letters)
+            .collect::<String>(),
+    )
+}
+
+/// The texts that were read, so that anyone can tell whether a text is the one that was checked.
+pub(super) fn documents(inspections: &[Inspection]) -> String {
+    let mut out = String::from("\n\\section*{Documents}\n\nEach with the SHA-256 of its text.\n");
+    out += "\n{\\footnotesize\\begin{longtable}{@{}l@{}}\n\\toprule\n";
     for inspection in inspections {
         let document = &inspection.audit.model.document;
         out += &format!(
-            "{} & {} \\\\\n",
+            "{} \\\\*\n\\quad {} \\\\\n",
             code(&document.name),
             code(&sha256(&document.text))
         );
     }
-    out += "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
-    if inspections.len() > 1 {
-        out += "\\tableofcontents\n";
-    }
+    out += "\\bottomrule\n\\end{longtable}}\n";
     out
 }
 
