@@ -1,0 +1,304 @@
+//! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
+
+use super::identity::{self, Decision};
+use super::{Checker, index_tuples};
+use crate::domain::Domain;
+use crate::evaluate::{Failure, FailureKind};
+use crate::expr::{ExprKind, Relation};
+use crate::latex;
+use crate::model::links::{Link, Place};
+use crate::model::names::Resolved;
+use crate::model::{DefinitionKind, Node, Role};
+use crate::verdict::{Certificate, Positivity, Refutation, Verdict};
+use num_traits::Signed;
+use ratpoly::RationalFunction;
+
+impl Checker<'_> {
+    /// The verdict on one link, with what shows it.
+    pub(super) fn verdict(
+        &mut self,
+        equation: usize,
+        l: usize,
+        unusable: Option<&str>,
+        certificate: &mut Certificate,
+        positivity: &mut Option<Positivity>,
+    ) -> Verdict {
+        let model = self.model;
+        let printed = &model.equations[equation];
+        let link = &printed.links[l];
+        self.exact.conditions.clear();
+        if let Role::Recall(reason) = &printed.role {
+            Verdict::Recalled {
+                reason: reason.clone(),
+            }
+        } else if let Some(reason) = printed.settings.recalled_members.get(&link.member) {
+            Verdict::Recalled {
+                reason: reason.text.clone(),
+            }
+        } else if let Some(reason) = unusable {
+            Verdict::Undecided {
+                reason: reason.into(),
+            }
+        } else if printed.role == Role::Solve {
+            self.solved(equation)
+        } else if let Some(definition) = printed.defines[l] {
+            self.misscoped(equation, link)
+                .unwrap_or_else(|| self.definition(definition))
+        } else if printed.role == Role::Define && self.is_range(equation, link) {
+            Verdict::Definition {
+                what: "the range in which it is meant".into(),
+            }
+        } else if link.left == link.right {
+            self.bare(equation, link)
+        } else if link.relation == Relation::Tends {
+            self.tends(equation, link)
+        } else if link.relation != Relation::Equal {
+            self.inequality(equation, link, positivity)
+        } else {
+            self.claim(equation, link, certificate)
+        }
+    }
+
+    /// A definition is right if it has a value.
+    pub(super) fn definition(&mut self, definition: usize) -> Verdict {
+        let model = self.model;
+        let d = &model.definitions[definition];
+        let span = model.equations[d.equation].span;
+        let indices: Vec<Vec<i64>> = match &d.kind {
+            DefinitionKind::Family { ranges, .. } => index_tuples(ranges),
+            _ => vec![Vec::new()],
+        };
+        for tuple in indices {
+            let key = (Node::Definition(definition), tuple, 0);
+            if let Err(failure) = self.exact.value_of(key, span) {
+                return self.failed(&failure);
+            }
+        }
+        let mut what = latex::canonical(&d.name);
+        match &d.kind {
+            DefinitionKind::Power(n) => what = format!("{what}^{n}"),
+            DefinitionKind::ValueAt(at) => what = format!("{what}({at})"),
+            _ => {}
+        }
+        Verdict::Definition { what }
+    }
+
+    /// A `solve` block is right if its unknowns are determined.
+    pub(super) fn solved(&mut self, equation: usize) -> Verdict {
+        let model = self.model;
+        let span = model.equations[equation].span;
+        let Some(system) = model.systems.iter().position(|s| s.equation == equation) else {
+            return Verdict::Undecided {
+                reason: "no unknowns are named".into(),
+            };
+        };
+        let key = (
+            Node::Unknown {
+                system,
+                position: 0,
+            },
+            Vec::new(),
+            0,
+        );
+        match self.exact.value_of(key, span) {
+            Ok(_) => {
+                if let Some(flaw) = self.instability(system) {
+                    return Verdict::Refuted(Refutation {
+                        flaw: Some(flaw),
+                        ..Refutation::default()
+                    });
+                }
+                let unknowns = &model.systems[system].unknowns;
+                let names: Vec<String> = unknowns.iter().map(latex::canonical).collect();
+                Verdict::Definition {
+                    what: names.join(", "),
+                }
+            }
+            Err(failure) => self.failed(&failure),
+        }
+    }
+
+    /// Whether a link of a definition says between which numbers or letters a letter lies.
+    pub(super) fn is_range(&self, equation: usize, link: &Link) -> bool {
+        let display = self.exact.display(equation);
+        let plain = |place: Place| match place.find(display).map(|e| &e.kind) {
+            Some(ExprKind::Number(_) | ExprKind::Infinity) => true,
+            Some(ExprKind::Name(name)) => matches!(
+                self.model.resolve(name, &|_| false),
+                Ok(Resolved::Letter { order: 0, .. })
+            ),
+            _ => false,
+        };
+        let order = matches!(
+            link.relation,
+            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual
+        );
+        order && plain(link.left) && plain(link.right)
+    }
+
+    /// Whether a function of positive letters is negative by the signs of its coefficients.
+    pub(super) fn is_negative(&self, function: &RationalFunction) -> bool {
+        let letters = self.exact.field.letters(function);
+        letters.iter().all(|l| self.model.is_positive(*l))
+            && function.numerator().terms().all(|(_, c)| c.is_negative())
+            && function.denominator().terms().all(|(_, c)| c.is_positive())
+    }
+
+    /// A bare expression such as `a_i, i = 1(1)4` says that these things exist.
+    pub(super) fn bare(&mut self, equation: usize, link: &Link) -> Verdict {
+        match self.sides(equation, link) {
+            Ok(_) => Verdict::Definition {
+                what: link
+                    .left
+                    .find(self.exact.display(equation))
+                    .map_or_else(String::new, latex::write_expr),
+            },
+            Err(failure) => self.failed(&failure),
+        }
+    }
+
+    pub(super) fn claim(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        certificate: &mut Certificate,
+    ) -> Verdict {
+        let entries = match self.sides(equation, link) {
+            Ok(entries) => entries,
+            Err(failure) => match &failure.kind {
+                FailureKind::Outside { name } => {
+                    let refutation = self.refute_outside(equation, link, name.clone());
+                    return self.repaired(equation, link, refutation, certificate);
+                }
+                // Shapes that do not fit where the equation itself is printed make it false; a
+                // misfit inside of a definition that it uses makes the document unusable.
+                FailureKind::Shape { .. } if self.is_printed_in(equation, &failure) => {
+                    let refutation = Refutation::of_misfit(&failure);
+                    return self.repaired(equation, link, refutation, certificate);
+                }
+                _ => return self.failed(&failure),
+            },
+        };
+        match self.decide(&entries, equation) {
+            Ok(Decision::Holds(by)) => {
+                *certificate = self.certificate(entries, &by, None);
+                Verdict::Holds { by: by.labels }
+            }
+            Ok(Decision::HoldsGiven(by, given)) => {
+                let not_identical = given.cofactors.iter().map(|g| g.entry.clone()).collect();
+                *certificate = self.certificate(not_identical, &by, Some(&given));
+                Verdict::HoldsGiven(Box::new(given))
+            }
+            Ok(Decision::Refuted(mut refutation)) => match self.part(&entries) {
+                // What it lacks is a hypothesis; an edit would be an invention.
+                Some((part, witness)) => {
+                    refutation.part = Some(part);
+                    refutation.witness = Some(witness);
+                    Verdict::Refuted(refutation)
+                }
+                None => self.repaired(equation, link, refutation, certificate),
+            },
+            Ok(Decision::False(..)) => Verdict::Undecided {
+                reason: "the sides differ, and nothing shows where".into(),
+            },
+            Err(reason) => Verdict::Undecided { reason },
+        }
+    }
+
+    /// Whether a failure's place lies inside of an equation.
+    pub(super) fn is_printed_in(&self, equation: usize, failure: &Failure) -> bool {
+        let span = self.model.equations[equation].span;
+        span.start <= failure.span.start && failure.span.end <= span.end
+    }
+
+    pub(super) fn certificate(
+        &self,
+        entries: Vec<crate::verdict::ResidualEntry>,
+        by: &identity::Insertion,
+        given: Option<&crate::verdict::Given>,
+    ) -> Certificate {
+        let functions = self.model.functions.as_ref();
+        let mut inserted = by.letters.clone();
+        if let Some(table) = functions {
+            let needed = entries
+                .iter()
+                .flat_map(|e| [&e.left, &e.right])
+                .flat_map(|side| table.letters_behind(side))
+                .collect();
+            if let Ok(all) = table.extended(&inserted, &needed) {
+                inserted = all;
+            }
+        }
+        Certificate {
+            quadratics: functions.map_or_else(Vec::new, |table| table.quadratics().to_vec()),
+            entries,
+            inserted,
+            relations: given.map_or_else(Vec::new, |g| g.relations.clone()),
+            cofactors: given.map_or_else(Vec::new, |g| {
+                g.cofactors.iter().map(|c| c.cofactors.clone()).collect()
+            }),
+        }
+    }
+
+    /// A refuted link with the correction that the search finds; the corrected display is what
+    /// later equations are computed from.
+    pub(super) fn repaired(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        mut refutation: Refutation,
+        certificate: &mut Certificate,
+    ) -> Verdict {
+        // Where the document says what is meant instead, nothing is misprinted in the equation.
+        let settings = &self.model.equations[equation].settings;
+        if !self.options.repair || settings.instead.is_some() {
+            return Verdict::Refuted(refutation);
+        }
+        match self.search(equation, link, self.options.candidates) {
+            Ok((correction, proof)) => {
+                *certificate = proof;
+                self.exact.correct(equation, correction.display.clone());
+                if let Some((definition, display)) = &correction.definition {
+                    self.exact.correct(*definition, display.clone());
+                }
+                let definitions = &self.model.definitions;
+                let defines = definitions.iter().any(|d| d.equation == equation);
+                if defines || correction.definition.is_some() {
+                    // It was computed so before the correction was accepted.
+                    let _ = self.insert_anew();
+                }
+                Verdict::Misprint {
+                    refutation,
+                    correction: Box::new(correction),
+                }
+            }
+            Err(searched) => {
+                refutation.searched = Some(searched);
+                Verdict::Refuted(refutation)
+            }
+        }
+    }
+
+    pub(super) fn failed(&mut self, failure: &Failure) -> Verdict {
+        Verdict::Undecided {
+            reason: self.reason_of(failure),
+        }
+    }
+
+    /// Why there is no value, in words; a fault of the document is noted.
+    pub(super) fn reason_of(&mut self, failure: &Failure) -> String {
+        self.note(failure);
+        self.failure = Some(failure.kind.clone());
+        match &failure.kind {
+            FailureKind::Unsupported { what } => format!("{what} is outside of what is decided"),
+            FailureKind::Budget { what } => format!("too many {what}"),
+            FailureKind::Outside { name } => format!("{name} does not exist"),
+            FailureKind::Divergent { reason, .. } => format!("the integral diverges: {reason}"),
+            FailureKind::NeedsItself => "a definition needs itself".into(),
+            FailureKind::NotLinear => "the equation is not linear in its unknowns".into(),
+            FailureKind::Underdetermined => "the unknowns are not determined".into(),
+            FailureKind::Inconsistent => "the equations contradict each other".into(),
+            _ => "the document has an error".into(),
+        }
+    }
+}
