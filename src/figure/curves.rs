@@ -36,8 +36,8 @@ pub struct Curves {
     pub grid: Vec<BigRational>,
     /// The letter by which the curves differ, in LaTeX, with its unit.
     pub family: Option<(String, Option<String>)>,
-    /// Other letters with their values, in LaTeX.
-    pub at: Vec<(String, BigRational)>,
+    /// Other letters, in LaTeX, with their values and units.
+    pub at: Vec<(String, BigRational, Option<String>)>,
     /// The curves.
     pub curves: Vec<Curve>,
 }
@@ -129,7 +129,7 @@ pub(super) fn curves(source: &mut Source<'_>, written: &Written) -> Result<Curve
         family: family.map(|(s, _)| (name_of(s), model.symbols[s].unit.clone())),
         at: at
             .into_iter()
-            .map(|(s, value)| (name_of(s), value))
+            .map(|(s, value)| (name_of(s), value, model.symbols[s].unit.clone()))
             .collect(),
         curves,
     })

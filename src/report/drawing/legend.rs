@@ -213,10 +213,10 @@ pub fn remarks(surface: &Surface) -> Vec<Prose> {
 pub fn curve_remarks(curves: &Curves) -> Vec<Prose> {
     let mut remarks = Vec::new();
     if !curves.at.is_empty() {
-        let at = curves.at.iter().map(|(name, value)| {
+        let at = curves.at.iter().map(|(name, value, unit)| {
             Prose::new()
                 .math(name.clone())
-                .words(format!(" = {}", with_unit(value, None)))
+                .words(format!(" = {}", with_unit(value, unit.as_deref())))
         });
         remarks.push(Prose::joined(at, ", "));
     }
