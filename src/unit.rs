@@ -158,6 +158,21 @@ impl Units {
             .collect()
     }
 
+    /// What [`Units::check_all`] finds in one of some equations, where those `before` it were checked once
+    /// already.
+    pub fn check_one_of<'d>(
+        &mut self,
+        before: impl Iterator<Item = (&'d str, &'d Display)>,
+        one: (&str, &Display),
+        after: impl Iterator<Item = (&'d str, &'d Display)>,
+    ) -> Vec<UnitFinding> {
+        self.check(one.0, one.1);
+        for (label, display) in after.chain(before) {
+            self.check(label, display);
+        }
+        self.check(one.0, one.1)
+    }
+
     /// Checks an equation, and learns from it what the names in it measure. A chain that begins
     /// with a name without units gives it some; so do names under braces.
     pub fn check(&mut self, label: &str, display: &Display) -> Vec<UnitFinding> {

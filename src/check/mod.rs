@@ -119,22 +119,32 @@ impl<'m> Checker<'m> {
         options: Options,
         instance: usize,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let mut checker = Checker {
-            model,
-            exact: symbolic(model).in_instance(instance),
-            instance,
-            options,
-            inserted: BTreeMap::new(),
-            diagnostics: Vec::new(),
-            readings: Default::default(),
-            in_definitions: true,
-            failure: None,
-        };
+        let exact = symbolic(model).in_instance(instance);
+        let mut checker = Checker::with(exact, options, BTreeMap::new());
         checker.insert_abbreviations();
         if checker.diagnostics.is_empty() {
             Ok(checker)
         } else {
             Err(checker.diagnostics)
+        }
+    }
+
+    /// A checker with these values of the abbreviations, which has found nothing yet.
+    fn with(
+        exact: Evaluator<'m, Symbolic>,
+        options: Options,
+        inserted: BTreeMap<usize, RationalFunction>,
+    ) -> Self {
+        Checker {
+            model: exact.model(),
+            instance: exact.instance(),
+            exact,
+            options,
+            inserted,
+            diagnostics: Vec::new(),
+            readings: Default::default(),
+            in_definitions: true,
+            failure: None,
         }
     }
 
@@ -169,9 +179,7 @@ impl<'m> Checker<'m> {
         for equation in self.model.settling_order() {
             outcomes.extend(self.settle(equation));
         }
-        if self.in_definitions {
-            self.common_definitions(&mut outcomes);
-        }
+        self.common_definitions(&mut outcomes);
         self.explained_by_definitions(&mut outcomes);
         let statements = self.statements();
         if !self.diagnostics.is_empty() {

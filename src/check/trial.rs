@@ -116,17 +116,7 @@ pub(crate) type Expanded = Vec<[Value<RationalFunction>; 2]>;
 impl<'m> Checker<'m> {
     /// A checker that has computed what this one has and spends what `options` say.
     pub(crate) fn twin(&self, options: Options) -> Self {
-        Checker {
-            model: self.model,
-            exact: self.exact.twin(),
-            instance: self.instance,
-            options,
-            inserted: self.inserted.clone(),
-            diagnostics: Vec::new(),
-            readings: Default::default(),
-            in_definitions: true,
-            failure: None,
-        }
+        Checker::with(self.exact.twin(), options, self.inserted.clone())
     }
 
     /// A checker in which the hypotheses printed around an equation hold; none where there are none.
@@ -137,17 +127,8 @@ impl<'m> Checker<'m> {
         if self.model.equations[equation].assume.is_empty() {
             return None;
         }
-        Some(self.under_hypotheses(equation).map(|hypotheses| Checker {
-            model: self.model,
-            exact: hypotheses.exact,
-            instance: self.instance,
-            options: self.options,
-            inserted: hypotheses.inserted,
-            diagnostics: Vec::new(),
-            readings: Default::default(),
-            in_definitions: true,
-            failure: None,
-        }))
+        let under = self.under_hypotheses(equation);
+        Some(under.map(|under| Checker::with(under.exact, self.options, under.inserted)))
     }
 
     /// Puts a changed display in place of an equation's; `stale` are the nodes whose values depend

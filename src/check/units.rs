@@ -88,16 +88,12 @@ impl Checker<'_> {
         if let Some((_, misfits)) = readings.misfits.iter().find(|(d, _)| d == display) {
             return *misfits;
         }
-        let mut units = readings.before.clone();
-        units.check(label(equation), display);
-        // What the later equations define is known to the earlier ones the second time.
-        for e in equation + 1..self.model.equations.len() {
-            units.check(label(e), self.exact.display(e));
-        }
-        for e in 0..equation {
-            units.check(label(e), self.exact.display(e));
-        }
-        let misfits = units.check(label(equation), display).len();
+        let others = |e: usize| (label(e), self.exact.display(e));
+        let before = (0..equation).map(others);
+        let after = (equation + 1..self.model.equations.len()).map(others);
+        let one = (label(equation), display);
+        let misfits = readings.before.clone().check_one_of(before, one, after);
+        let misfits = misfits.len();
         readings.misfits.push((display.clone(), misfits));
         misfits
     }

@@ -47,7 +47,7 @@ pub struct Proposition {
     pub to_infinity: bool,
     /// The quantity whose minimum is meant.
     pub minimum_of: Option<Expr>,
-    /// Symbols that have their reference values here.
+    /// Symbols that have their reference values here; none of them is one of the letters.
     pub fixed: Vec<usize>,
     /// Whether the quantity is divided by its value at the reference values of the letters.
     pub normalised: bool,
@@ -145,6 +145,7 @@ impl Builder {
                 _ => None,
             };
             for letters in &choices {
+                let others = fixed.iter().copied().filter(|s| !letters.contains(s));
                 found.push(Proposition {
                     predicate: meaning.predicate,
                     of: of.clone(),
@@ -154,7 +155,7 @@ impl Builder {
                     at: at.clone(),
                     to_infinity,
                     minimum_of: minimum_of.clone(),
-                    fixed: fixed.clone(),
+                    fixed: others.collect(),
                     normalised: meaning.normalised,
                     only_in_box: meaning.only_in_box,
                     around: around.clone(),

@@ -37,7 +37,12 @@ impl Address {
     }
 
     pub(super) fn find_mut<'a>(&self, display: &'a mut Display) -> Option<&'a mut Expr> {
-        let mut expr = self.place.find_mut(display)?;
+        self.below(self.place.find_mut(display)?)
+    }
+
+    /// The subexpression, given its side.
+    pub fn below<'a>(&self, side: &'a mut Expr) -> Option<&'a mut Expr> {
+        let mut expr = side;
         for step in &self.path {
             expr = children_mut(expr).into_iter().nth(*step)?;
         }

@@ -224,7 +224,8 @@ impl<'m> Checker<'m> {
     pub(in crate::check) fn common_definitions(&mut self, outcomes: &mut [Outcome]) {
         let model = self.model;
         let budget = self.options.candidates;
-        if !self.options.repair || budget == 0 || model.functions.is_some() {
+        let sought = self.options.repair && self.in_definitions && budget > 0;
+        if !sought || model.functions.is_some() {
             return;
         }
         let is_false = |outcome: &Outcome| match &outcome.verdict {

@@ -47,17 +47,7 @@ impl<'m> Seed<'m> {
         for (equation, display) in &self.corrections {
             exact.correct(*equation, display.clone());
         }
-        Checker {
-            model: self.model,
-            exact,
-            instance: self.instance,
-            options: self.options,
-            inserted: self.inserted.clone(),
-            diagnostics: Vec::new(),
-            readings: Default::default(),
-            in_definitions: true,
-            failure: None,
-        }
+        Checker::with(exact, self.options, self.inserted.clone())
     }
 }
 

@@ -11,7 +11,7 @@ use crate::check::edit::{Address, Replacement, sites};
 use crate::check::{Checker, index_tuples};
 use crate::expr::{Display, Expr, ExprKind};
 use crate::latex;
-use crate::model::links::{Link, Place, children_mut};
+use crate::model::links::{Link, Place};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -332,7 +332,7 @@ impl<'r, 'm> Trial<'r, 'm> {
         };
         let mut side = printed.clone();
         for (_, _, edit) in puts.iter().filter(|(_, _, e)| e.address.place == place) {
-            if let Some(expr) = at_path(&mut side, &edit.address.path) {
+            if let Some(expr) = edit.address.below(&mut side) {
                 expr.kind = edit.kind.clone();
             }
         }
@@ -411,14 +411,6 @@ impl<'r, 'm> Trial<'r, 'm> {
         }
         passing
     }
-}
-
-/// The subexpression at the end of a path.
-fn at_path<'e>(mut expr: &'e mut Expr, path: &[usize]) -> Option<&'e mut Expr> {
-    for step in path {
-        expr = children_mut(expr).into_iter().nth(*step)?;
-    }
-    Some(expr)
 }
 
 /// Whether a side is "some constant", or something is defined by cases.

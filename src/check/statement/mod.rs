@@ -171,8 +171,7 @@ impl Checker<'_> {
         }
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         let mut images = all.letters;
-        let letters = &proposition.letters;
-        for symbol in proposition.fixed.iter().filter(|s| !letters.contains(s)) {
+        for symbol in &proposition.fixed {
             if let Some(letter) = ground.letters[*symbol]
                 && let Some(own) = &ground.reference[letter]
             {

@@ -374,8 +374,7 @@ impl Collector<'_> {
                 }
             };
             corrections.push(name.clone().then(line));
-            let because = self.why(outcome).filter(|because| !because.is_empty());
-            why.extend(because.map(|because| name.clone().then(because)));
+            why.extend(self.why(outcome).map(|because| name.clone().then(because)));
             if let Some(effect) = effect(&self.changes.by(outcome)) {
                 effects.push(name.then(effect));
             }
@@ -436,31 +435,27 @@ impl Collector<'_> {
         let mut shorter: Refutation = refutation.clone();
         shorter.witness = shorter.witness.filter(|w| w.point.len() <= WITNESS);
         // Only the first entry's difference would be shown.
-        let Refutation {
-            flaw: None,
-            missing: None,
-            misfit: None,
-            witness: None,
-            part: None,
-            residual,
-            ..
-        } = &shorter
-        else {
-            return Some(self.reason_for(outcome, shorter));
+        let differs_only = matches!(
+            shorter,
+            Refutation {
+                flaw: None,
+                missing: None,
+                misfit: None,
+                witness: None,
+                part: None,
+                ..
+            }
+        );
+        let first = shorter.residual.first();
+        if differs_only && first.is_some_and(|e| is_long(&self.formulas, e)) {
+            return None;
+        }
+        let refuted = Outcome {
+            verdict: Verdict::Refuted(shorter),
+            ..outcome.clone()
         };
-        let long = residual.first().is_some_and(|e| is_long(&self.formulas, e));
-        (!long).then(|| self.reason_for(outcome, shorter))
-    }
-
-    fn reason_for(&self, outcome: &Outcome, refutation: Refutation) -> Prose {
-        bare_reason(
-            self.audit,
-            &self.formulas,
-            &Outcome {
-                verdict: Verdict::Refuted(refutation),
-                ..outcome.clone()
-            },
-        )
+        let reason = bare_reason(self.audit, &self.formulas, &refuted);
+        (!reason.is_empty()).then_some(reason)
     }
 }
 
