@@ -486,7 +486,9 @@ impl Writer<'_> {
 
     fn scope(&self, scope: &Scope) -> Prose {
         match scope {
-            Scope::Everywhere => Prose::of("for all positive values of the letters"),
+            Scope::Everywhere => {
+                Prose::of("for all positive values of the letters").then(self.fixed())
+            }
             Scope::Reference => Prose::of("at the reference"),
             Scope::Line(x) => Prose::of("for every ")
                 .then(self.letter(*x))
@@ -494,7 +496,8 @@ impl Writer<'_> {
             Scope::Above(x, value) => Prose::of("for all positive values of the letters with ")
                 .then(self.letter(*x))
                 .formula("\\;>\\;", " > ")
-                .then(plain_number(value)),
+                .then(plain_number(value))
+                .then(self.fixed()),
             Scope::LineAbove(x, value) => Prose::of("for ")
                 .then(self.letter(*x))
                 .formula("\\;>\\;", " > ")
@@ -510,6 +513,16 @@ impl Writer<'_> {
                 });
                 Prose::of("for ").then(Prose::joined(sides, ", "))
             }
+        }
+    }
+
+    /// Which letters are not free although the scope is all values of the letters.
+    fn fixed(&self) -> Prose {
+        match &self.proposition.fixed[..] {
+            [] => Prose::new(),
+            fixed => Prose::of(", ")
+                .then(self.symbols(fixed, ", "))
+                .words(" as in the reference"),
         }
     }
 
