@@ -7,6 +7,7 @@ use crate::audit::Audit;
 use crate::check;
 use crate::document::VerdictWord;
 use crate::evaluate::Value;
+use crate::expr::Relation;
 use crate::figure::Figure;
 use crate::inspection::Inspection;
 use crate::paper::{Paper, papers};
@@ -59,10 +60,13 @@ impl Audit {
         let mut exact = check::symbolic(&self.model);
         let stated: Vec<Polynomial> = stated
             .iter()
-            .filter_map(|difference| match exact.expression(difference) {
-                Ok(Value::Scalar(value)) => Some(normal(value.numerator())),
-                _ => None,
-            })
+            .filter(|hypothesis| hypothesis.relation == Relation::Equal)
+            .filter_map(
+                |hypothesis| match exact.expression(&hypothesis.difference()) {
+                    Ok(Value::Scalar(value)) => Some(normal(value.numerator())),
+                    _ => None,
+                },
+            )
             .collect();
         given.relations.iter().all(|r| stated.contains(&normal(r)))
     }

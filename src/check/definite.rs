@@ -202,7 +202,7 @@ impl Checker<'_> {
         let is_motion = |letter: &usize| {
             matches!(self.model.letters[*letter], Letter::Symbol { symbol, .. }
                 if self.model.symbols[symbol].function_of.is_some()
-                    && !self.model.symbols[symbol].positive
+                    && !self.model.symbols[symbol].range.is_positive()
                     && !self.is_in_definite(symbol))
         };
         let mut letters = value.numerator().variables_occurring();

@@ -7,6 +7,7 @@
 use super::Checker;
 use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, FailureKind, Value};
+use crate::expr::Relation;
 use crate::model::Letter;
 use crate::span::Span;
 use ratpoly::RationalFunction;
@@ -29,13 +30,19 @@ impl<'m> Checker<'m> {
         let model = self.model;
         let mut replaced: Vec<(usize, RationalFunction)> = Vec::new();
         for hypothesis in &model.equations[equation].assume {
-            let value = self.exact.expression(hypothesis).map_err(|failure| {
-                self.note(&failure);
-                match failure.kind {
-                    FailureKind::Unsupported { what } => format!("{what} in a hypothesis"),
-                    _ => "a hypothesis without a value".into(),
-                }
-            })?;
+            if hypothesis.relation != Relation::Equal {
+                return Err("a hypothesis that is no equation".into());
+            }
+            let value = self
+                .exact
+                .expression(&hypothesis.difference())
+                .map_err(|failure| {
+                    self.note(&failure);
+                    match failure.kind {
+                        FailureKind::Unsupported { what } => format!("{what} in a hypothesis"),
+                        _ => "a hypothesis without a value".into(),
+                    }
+                })?;
             let entries: Vec<RationalFunction> = value.entries().into_iter().cloned().collect();
             for entry in entries {
                 self.replace_by(&entry, &mut replaced, hypothesis.span)?;

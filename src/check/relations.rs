@@ -6,6 +6,7 @@
 
 use super::Checker;
 use super::identity::letters_of;
+use crate::expr::Relation;
 use crate::verdict::{Given, GivenEntry, ResidualEntry};
 use num_traits::Zero;
 use ratpoly::{Budget, Polynomial, RationalFunction};
@@ -63,8 +64,11 @@ impl Checker<'_> {
     ) -> Result<Option<Given>, String> {
         let model = self.model;
         let mut stated = Vec::new();
-        for expr in &model.equations[equation].given {
-            match self.exact.expression(expr) {
+        for hypothesis in &model.equations[equation].given {
+            if hypothesis.relation != Relation::Equal {
+                continue;
+            }
+            match self.exact.expression(&hypothesis.difference()) {
                 Ok(crate::evaluate::Value::Scalar(s)) if !s.is_zero() && self.can_vanish(&s) => {
                     stated.push(s.numerator().clone());
                 }

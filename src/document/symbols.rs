@@ -6,6 +6,7 @@ use super::size::Size;
 use super::table::{Entries, Fields, Value, ValueKind, string};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::functions::Constant;
+use crate::model::range::Numbers;
 use crate::unit::Unit;
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -19,6 +20,10 @@ pub struct Symbol {
     pub unit: Option<Text>,
     /// Whether it is greater than zero.
     pub positive: bool,
+    /// Which numbers it stands for.
+    pub domain: Numbers,
+    /// Between which numbers it lies, as a chain in LaTeX such as `0 < a < 2`.
+    pub range: Option<Text>,
     /// Its value in the reference case.
     pub value: Option<BigRational>,
     /// What it stands for.
@@ -108,6 +113,8 @@ fn symbol(name: Text, value: Value, report: &mut Vec<Diagnostic>) -> Symbol {
     let mut fields = Fields::of(value, "a table such as { unit = \"kg\" }", report);
     let unit = fields.text("unit");
     let positive = fields.boolean("positive").unwrap_or(false);
+    let domain = domain(&mut fields);
+    let range = fields.text("range");
     let number = fields.number("value");
     let meaning = fields.text("meaning");
     let arguments = fields.take("function_of");
@@ -158,11 +165,35 @@ fn symbol(name: Text, value: Value, report: &mut Vec<Diagnostic>) -> Symbol {
         name,
         unit,
         positive,
+        domain,
+        range,
         value: number.map(|(number, _)| number),
         meaning,
         function_of: arguments.last().cloned(),
         arguments,
         shape,
+    }
+}
+
+/// `domain`: real unless told.
+fn domain(fields: &mut Fields) -> Numbers {
+    let Some(text) = fields.text("domain") else {
+        return Numbers::Real;
+    };
+    match text.text.as_str() {
+        "real" => Numbers::Real,
+        "complex" => Numbers::Complex,
+        "integer" => Numbers::Integer,
+        _ => {
+            fields.report().push(Diagnostic::new(
+                DiagnosticKind::Unexpected {
+                    found: format!("domain = \"{}\"", text.text),
+                    expected: "real, complex or integer".into(),
+                },
+                text.span,
+            ));
+            Numbers::Real
+        }
     }
 }
 

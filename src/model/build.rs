@@ -5,14 +5,15 @@ use super::letters::{MOST_LETTERS, letters, reserve};
 use super::links::{self, Place};
 use super::matrices::{self, MatrixSymbol};
 use super::names::{self, Names};
+use super::range::{Numbers, Range};
 use super::statement::Statement;
 use super::{
-    Covariance, Definition, DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind,
-    Role, Symbol, System,
+    Covariance, Definition, DefinitionKind, Equation, Hypothesis, Letter, Model, Node, Notation,
+    NotationKind, Role, Symbol, System,
 };
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::{self, Document, Instance, MatrixShape};
-use crate::expr::{Bracket, Expr, ExprKind, Name, Relation, Sign};
+use crate::expr::{Bracket, Expr, ExprKind, Name, Relation};
 use crate::latex::{self, Signature};
 use crate::span::Span;
 use num_traits::ToPrimitive;
@@ -124,8 +125,8 @@ impl Builder {
             self.arguments
                 .extend(arguments.iter().map(latex::canonical));
             let value = Symbol {
+                range: self.range(symbol, &name),
                 name,
-                positive: symbol.positive,
                 value: symbol.value.clone(),
                 unit: symbol.unit.as_ref().map(|u| u.text.clone()),
                 meaning: symbol
@@ -146,6 +147,61 @@ impl Builder {
                 Some(shape) => self.matrix(&value, shape, &largest, symbol.name.span),
             }
         }
+    }
+
+    /// Which numbers a symbol stands for.
+    fn range(&mut self, symbol: &document::Symbol, name: &Name) -> Range {
+        let mut range = match symbol.positive {
+            true => Range::positive(),
+            false => Range::default(),
+        };
+        range.numbers = symbol.domain;
+        let Some(text) = &symbol.range else {
+            return range;
+        };
+        let signature = Signature::default();
+        let result = latex::parse_chain(&text.text, text.span.start, &signature);
+        let Some(chain) = self.keep(result) else {
+            return range;
+        };
+        let number = |e: &Expr| names::literal_number(e);
+        let is_letter = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == name);
+        let mut understood = symbol.domain != Numbers::Complex;
+        for (sides, relation) in chain.members.windows(2).zip(&chain.relations) {
+            let (left, right) = (&sides[0], &sides[1]);
+            let (from_below, value) = match (number(left), number(right)) {
+                (Some(n), None) if is_letter(right) => (true, n),
+                (None, Some(n)) if is_letter(left) => (false, n),
+                _ => {
+                    understood = false;
+                    continue;
+                }
+            };
+            match (relation, from_below) {
+                (Relation::Less, true) | (Relation::Greater, false) => range.raise(value, false),
+                (Relation::LessEqual, true) | (Relation::GreaterEqual, false) => {
+                    range.raise(value, true);
+                }
+                (Relation::Greater, true) | (Relation::Less, false) => range.lower(value, false),
+                (Relation::GreaterEqual, true) | (Relation::LessEqual, false) => {
+                    range.lower(value, true);
+                }
+                _ => understood = false,
+            }
+        }
+        let inside = symbol.value.as_ref().is_none_or(|v| range.contains(v));
+        if !understood || chain.members.len() < 2 || range.is_empty() || !inside {
+            let expected = match (understood, inside) {
+                (true, false) => "a range that the letter's value lies in".into(),
+                _ => format!(
+                    "the letter between numbers, such as 0 < {} < 2",
+                    latex::canonical(name)
+                ),
+            };
+            let found = text.text.clone();
+            self.error(DiagnosticKind::Unexpected { found, expected }, text.span);
+        }
+        range
     }
 
     /// A declared matrix and the symbols of its entries.
@@ -293,13 +349,13 @@ impl Builder {
                 .settings
                 .given
                 .iter()
-                .filter_map(|text| self.difference(text, signature))
+                .flat_map(|text| self.hypotheses(text, signature))
                 .collect();
             let assume = equation
                 .settings
                 .assume
                 .iter()
-                .filter_map(|text| self.difference(text, signature))
+                .flat_map(|text| self.hypotheses(text, signature))
                 .collect();
             let role = match &equation.role {
                 document::Role::Define => Role::Define,
@@ -346,29 +402,38 @@ impl Builder {
     }
 
     /// `left = right` as the difference that vanishes.
-    fn difference(&mut self, text: &document::Text, signature: &Signature) -> Option<Expr> {
+    /// What a text supposes: the neighbours of each of its chains.
+    fn hypotheses(&mut self, text: &document::Text, signature: &Signature) -> Vec<Hypothesis> {
         let result = latex::parse_display(&text.text, text.span.start, signature);
-        let display = self.keep(result)?;
-        let members = &display.clauses.first()?.chain.members;
-        match members.as_slice() {
-            [left, right] => Some(Expr::new(
-                ExprKind::Sum(vec![
-                    (Sign::Plus, left.clone()),
-                    (Sign::Minus, right.clone()),
-                ]),
-                text.span,
-            )),
-            _ => {
-                self.error(
-                    DiagnosticKind::Unexpected {
-                        found: text.text.clone(),
-                        expected: "an equation with one equals sign".into(),
-                    },
-                    text.span,
-                );
-                None
+        let Some(display) = self.keep(result) else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for clause in &display.clauses {
+            let members = &clause.chain.members;
+            for (sides, relation) in members.windows(2).zip(&clause.chain.relations) {
+                if let [left, right] = sides {
+                    found.push(Hypothesis {
+                        left: left.clone(),
+                        relation: *relation,
+                        right: right.clone(),
+                        span: left.span.to(right.span),
+                    });
+                }
             }
         }
+        let meant = |h: &Hypothesis| !matches!(h.relation, Relation::Distributed | Relation::Tends);
+        if found.is_empty() || !found.iter().all(meant) {
+            self.error(
+                DiagnosticKind::Unexpected {
+                    found: text.text.clone(),
+                    expected: "an equation or inequality, such as a = 2b or 0 < a < 2".into(),
+                },
+                text.span,
+            );
+        }
+        found.retain(meant);
+        found
     }
 
     /// The names that `define` blocks and underbraces give values.

@@ -72,7 +72,9 @@ impl Model {
             }
         }
         for given in equation.given.iter().chain(&equation.assume) {
-            self.check_expression(given, &mut sizes.clone(), &mut report);
+            for side in [&given.left, &given.right] {
+                self.check_expression(side, &mut sizes.clone(), &mut report);
+            }
         }
         report
     }

@@ -175,7 +175,7 @@ impl Model {
                 .filter(|l| !reserved(l))
                 .map(|l| match l {
                     Letter::Symbol { symbol, order } => {
-                        *order == 0 && self.symbols[*symbol].positive
+                        *order == 0 && self.symbols[*symbol].range.is_positive()
                     }
                     Letter::Abbreviation { definition } => self.is_positive_definition(*definition),
                     Letter::Function { .. } => false,
@@ -198,7 +198,7 @@ impl Model {
             ExprKind::Number(n) => positive &= n.is_positive(),
             ExprKind::Name(name) => {
                 positive &= match self.names.whole.get(&latex::canonical(name)) {
-                    Some(Node::Symbol(s)) => self.symbols[*s].positive,
+                    Some(Node::Symbol(s)) => self.symbols[*s].range.is_positive(),
                     Some(Node::Definition(other)) => {
                         *other < d && self.is_positive_definition(*other)
                     }

@@ -9,11 +9,12 @@ mod letters;
 pub mod links;
 pub mod matrices;
 pub mod names;
+pub mod range;
 pub mod statement;
 
 use crate::document::{Document, Instance, Settings, Size, VerdictWord};
 use crate::domain::Symbolic;
-use crate::expr::{Display, Expr, Name};
+use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::{Constant, FunctionTable};
 use crate::latex::Signature;
 use crate::span::Span;
@@ -21,6 +22,7 @@ use links::{Link, Place};
 use matrices::MatrixSymbol;
 use names::Names;
 use num_rational::BigRational;
+use range::Range;
 use ratpoly::Ring;
 use statement::Statement;
 use std::collections::BTreeSet;
@@ -50,8 +52,8 @@ pub enum Node {
 pub struct Symbol {
     /// The name.
     pub name: Name,
-    /// Declared positive.
-    pub positive: bool,
+    /// Which numbers it stands for; what is declared positive has the range from zero on.
+    pub range: Range,
     /// The reference value, if any.
     pub value: Option<BigRational>,
     /// The SI unit as written, if any.
@@ -219,6 +221,32 @@ pub enum Role {
     Recall(String),
 }
 
+/// What a document supposes: a relation between two neighbours of a chain.
+#[derive(Clone, Debug)]
+pub struct Hypothesis {
+    /// What stands left of the relation.
+    pub left: Expr,
+    /// The relation.
+    pub relation: Relation,
+    /// What stands right of it.
+    pub right: Expr,
+    /// Where.
+    pub span: Span,
+}
+
+impl Hypothesis {
+    /// Left minus right.
+    pub fn difference(&self) -> Expr {
+        Expr::new(
+            ExprKind::Sum(vec![
+                (Sign::Plus, self.left.clone()),
+                (Sign::Minus, self.right.clone()),
+            ]),
+            self.span,
+        )
+    }
+}
+
 /// A displayed equation.
 #[derive(Clone, Debug)]
 pub struct Equation {
@@ -236,10 +264,10 @@ pub struct Equation {
     pub defines: Vec<Option<usize>>,
     /// The author's settings.
     pub settings: Settings,
-    /// The hypotheses that the author states, as differences that vanish.
-    pub given: Vec<Expr>,
-    /// The hypotheses that are printed around it, as differences that vanish.
-    pub assume: Vec<Expr>,
+    /// The hypotheses that the author states.
+    pub given: Vec<Hypothesis>,
+    /// The hypotheses that are printed around it.
+    pub assume: Vec<Hypothesis>,
     /// Where the printed equation stands.
     pub span: Span,
 }
@@ -310,7 +338,9 @@ impl Model {
     /// value is, which the caller finds out by inserting it.
     pub fn is_positive(&self, letter: usize) -> bool {
         match self.letters[letter] {
-            Letter::Symbol { symbol, order } => order == 0 && self.symbols[symbol].positive,
+            Letter::Symbol { symbol, order } => {
+                order == 0 && self.symbols[symbol].range.is_positive()
+            }
             Letter::Abbreviation { .. } => false,
             Letter::Function { .. } => self
                 .functions

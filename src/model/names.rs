@@ -10,7 +10,7 @@ use crate::diagnostic::DiagnosticKind;
 use crate::expr::{Expr, ExprKind, Name, Sign};
 use crate::latex;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive, Zero};
 use std::collections::BTreeMap;
 
 /// The letter and the dots of a name, without its subscript: what a family is known by.
@@ -89,6 +89,28 @@ pub fn literal_integer(expr: &Expr) -> Option<i64> {
             _ => None,
         },
         ExprKind::Group { inner, .. } => literal_integer(inner),
+        _ => None,
+    }
+}
+
+/// The rational number that an expression spells, if it is one.
+pub fn literal_number(expr: &Expr) -> Option<BigRational> {
+    match &expr.kind {
+        ExprKind::Number(n) => Some(n.clone()),
+        ExprKind::Sum(terms) => match terms.as_slice() {
+            [(Sign::Minus, inner)] => literal_number(inner).map(|v| -v),
+            [(Sign::Plus, inner)] => literal_number(inner),
+            _ => None,
+        },
+        ExprKind::Group { inner, .. } => literal_number(inner),
+        ExprKind::Quotient {
+            numerator,
+            denominator,
+            ..
+        } => {
+            let below = literal_number(denominator).filter(|d| !d.is_zero())?;
+            Some(literal_number(numerator)? / below)
+        }
         _ => None,
     }
 }

@@ -200,7 +200,7 @@ impl Builder {
     fn with_values(&mut self, symbols: &[usize], texts: &[Text]) {
         for (symbol, text) in symbols.iter().zip(texts) {
             let symbol = &self.symbols[*symbol];
-            if symbol.value.is_none() || !symbol.positive {
+            if symbol.value.is_none() || !symbol.range.is_positive() {
                 let kind = DiagnosticKind::Unexpected {
                     found: format!("`{}`", text.text),
                     expected: "a positive letter with a reference value".into(),

@@ -62,7 +62,8 @@ impl Dependences {
                     }
                 }
                 for hypothesis in equation.given.iter().chain(&equation.assume) {
-                    model.collect(hypothesis, &mut used);
+                    model.collect(&hypothesis.left, &mut used);
+                    model.collect(&hypothesis.right, &mut used);
                 }
                 ((e, l), closure(used))
             })

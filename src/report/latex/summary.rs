@@ -86,7 +86,7 @@ fn letters(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
         .map(|symbol| {
             let value = symbol.value.as_ref();
             let mut meaning = Prose::text(&symbol.meaning).to_latex();
-            if symbol.positive {
+            if symbol.range.is_positive() {
                 meaning += " (positive)";
             }
             if let Some(argument) = &symbol.function_of {

@@ -1,0 +1,152 @@
+//! Which numbers a letter stands for: its domain, and the ends between which its values lie.
+//!
+//! A letter is real unless the document says otherwise. `positive = true` is the range from zero on,
+//! zero excluded; `range = "0 < a \le 2"` says both ends, each with whether it belongs to the range.
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+/// The numbers that a letter stands for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Numbers {
+    /// Any real number.
+    #[default]
+    Real,
+    /// Any complex number.
+    Complex,
+    /// Any integer.
+    Integer,
+}
+
+/// One end of a range.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct End {
+    /// Where it is.
+    pub value: BigRational,
+    /// Whether it belongs to the range.
+    pub included: bool,
+}
+
+/// The values that a letter may have.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Range {
+    /// Which numbers.
+    pub numbers: Numbers,
+    /// Nothing below it.
+    pub low: Option<End>,
+    /// Nothing above it.
+    pub high: Option<End>,
+}
+
+impl Range {
+    /// The positive real numbers.
+    pub fn positive() -> Self {
+        let mut range = Range::default();
+        range.raise(BigRational::zero(), false);
+        range
+    }
+
+    /// Leaves out what is below `value`, and the value itself unless it is `included`.
+    pub fn raise(&mut self, value: BigRational, included: bool) {
+        let closer = self
+            .low
+            .as_ref()
+            .is_none_or(|low| value > low.value || value == low.value && low.included && !included);
+        if closer {
+            self.low = Some(End { value, included });
+        }
+    }
+
+    /// Leaves out what is above `value`, and the value itself unless it is `included`.
+    pub fn lower(&mut self, value: BigRational, included: bool) {
+        let closer = self.high.as_ref().is_none_or(|high| {
+            value < high.value || value == high.value && high.included && !included
+        });
+        if closer {
+            self.high = Some(End { value, included });
+        }
+    }
+
+    /// Whether a real number is among the values.
+    pub fn contains(&self, number: &BigRational) -> bool {
+        let above = self
+            .low
+            .as_ref()
+            .is_none_or(|low| *number > low.value || low.included && *number == low.value);
+        let below = self
+            .high
+            .as_ref()
+            .is_none_or(|high| *number < high.value || high.included && *number == high.value);
+        above && below && (self.numbers != Numbers::Integer || number.is_integer())
+    }
+
+    /// Whether every value is greater than zero.
+    pub fn is_positive(&self) -> bool {
+        self.numbers != Numbers::Complex
+            && self
+                .low
+                .as_ref()
+                .is_some_and(|low| low.value.is_positive() || low.value.is_zero() && !low.included)
+    }
+
+    /// Whether every value is less than zero.
+    pub fn is_negative(&self) -> bool {
+        self.numbers != Numbers::Complex
+            && self.high.as_ref().is_some_and(|high| {
+                high.value.is_negative() || high.value.is_zero() && !high.included
+            })
+    }
+
+    /// Whether no number is left: an end below the other, or one point that does not belong to it.
+    pub fn is_empty(&self) -> bool {
+        match (&self.low, &self.high) {
+            (Some(low), Some(high)) => {
+                let integers = self.numbers == Numbers::Integer;
+                if integers {
+                    let first = match low.value.is_integer() && !low.included {
+                        true => &low.value + BigRational::from_integer(1.into()),
+                        false => low.value.ceil(),
+                    };
+                    return !self.contains(&first);
+                }
+                low.value > high.value
+                    || low.value == high.value && !(low.included && high.included)
+            }
+            _ => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(n: i64) -> BigRational {
+        BigRational::from_integer(n.into())
+    }
+
+    #[test]
+    fn ends_belong_to_it_or_not() {
+        let mut range = Range::positive();
+        range.lower(number(2), true);
+        assert!(range.is_positive() && !range.is_empty());
+        assert!(range.contains(&number(2)) && !range.contains(&number(0)));
+        range.lower(number(2), false);
+        assert!(!range.contains(&number(2)));
+        range.raise(number(2), true);
+        assert!(range.is_empty());
+    }
+
+    #[test]
+    fn between_two_integers_there_may_be_none() {
+        let mut range = Range {
+            numbers: Numbers::Integer,
+            ..Range::default()
+        };
+        range.raise(number(1), false);
+        range.lower(number(2), false);
+        assert!(range.is_empty());
+        range.lower(number(3), false);
+        assert!(range.is_empty());
+    }
+}
