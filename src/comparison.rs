@@ -143,7 +143,7 @@ impl Comparison {
             let equation = &model.equations[outcome.equation];
             let is_claim = matches!(
                 outcome.verdict,
-                Verdict::Holds { .. } | Verdict::HoldsGiven(_) | Verdict::Misprint { .. }
+                Verdict::Holds { .. } | Verdict::HoldsGiven(..) | Verdict::Misprint { .. }
             );
             let Some(link) = equation.links.iter().find(|l| l.member == outcome.member) else {
                 continue;

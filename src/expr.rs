@@ -5,6 +5,8 @@
 //! letter with a label is decided by the document's model. The exact and the floating-point
 //! route meet only here.
 
+pub mod reading;
+
 use crate::span::Span;
 use num_rational::BigRational;
 

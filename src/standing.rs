@@ -49,7 +49,7 @@ impl Audit {
     /// states any.
     fn hypothesis_as_stated(&self, outcome: &Outcome) -> bool {
         let given = match &outcome.verdict {
-            Verdict::HoldsGiven(given) => given,
+            Verdict::HoldsGiven(given, _) => given,
             _ => return true,
         };
         let stated = &self.model.equations[outcome.equation].given;

@@ -1,17 +1,22 @@
 //! What the checker says of a link, and what it says it with.
 //!
-//! A verdict is a value; a failure to reach one is another type. Whatever a verdict claims can be
-//! checked by multiplication alone: see [`Certificate::verify`].
+//! A verdict is a value; a failure to reach one is another type. What is said true carries a [`Proof`],
+//! which only [`Certificate::verify`] makes; what is said false carries a [`Refutation`].
 
+pub mod certificate;
+mod correction;
+mod refutation;
 pub mod statement;
+
+pub use certificate::{Certificate, Proof};
+pub use correction::{Changed, Correction, Edit, EditClass, Preferred, Proposal, Rejected};
+pub use refutation::{
+    CounterProof, Misfit, Part, PointValue, Refutation, Searched, Shown, SignCondition, Structure,
+    Witness,
+};
 
 use crate::document::VerdictWord;
 use crate::evaluate::Origin;
-use crate::expr::Display;
-use crate::functions::quadratic::{Quadratic, reduce_polynomial};
-use crate::span::Span;
-use crate::theory::limit::Limit;
-use num_rational::BigRational;
 use ratpoly::{Polynomial, RationalFunction};
 
 /// The verdict on one link of a chain.
@@ -22,9 +27,11 @@ pub enum Verdict {
         /// Labels of the definitions that had to be inserted, none for an identity in the printed
         /// letters.
         by: Vec<String>,
+        /// What proves it.
+        proof: Proof,
     },
-    /// True only under a relation.
-    HoldsGiven(Box<Given>),
+    /// True only under a relation, and what proves that.
+    HoldsGiven(Box<Given>, Proof),
     /// False as printed, true as corrected.
     Misprint {
         /// Why it is false.
@@ -34,13 +41,6 @@ pub enum Verdict {
     },
     /// False, and no correction is known.
     Refuted(Refutation),
-    /// A statement in words that is true only approximately.
-    Loose {
-        /// The number that shows how far.
-        measure: BigRational,
-        /// What the number is.
-        meaning: String,
-    },
     /// A limit was hit, or it lies outside of what is decided here.
     Undecided {
         /// Which.
@@ -63,10 +63,9 @@ impl Verdict {
     pub fn word(&self) -> VerdictWord {
         match self {
             Verdict::Holds { .. } => VerdictWord::Holds,
-            Verdict::HoldsGiven(_) => VerdictWord::HoldsGiven,
+            Verdict::HoldsGiven(..) => VerdictWord::HoldsGiven,
             Verdict::Misprint { .. } => VerdictWord::Misprint,
             Verdict::Refuted(_) => VerdictWord::Refuted,
-            Verdict::Loose { .. } => VerdictWord::Loose,
             Verdict::Undecided { .. } => VerdictWord::Undecided,
             Verdict::Definition { .. } => VerdictWord::Definition,
             Verdict::Recalled { .. } => VerdictWord::Recalled,
@@ -116,245 +115,6 @@ pub struct GivenEntry {
     pub cofactors: Vec<RationalFunction>,
 }
 
-/// What is wrong with an equation beside a difference of its sides.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Flaw {
-    /// A function's argument is not free in what defines it.
-    Scope {
-        /// The argument.
-        argument: String,
-        /// Whether an integral binds it; otherwise it does not occur.
-        bound: bool,
-        /// The letters that are left free instead.
-        free: Vec<String>,
-    },
-    /// The limit is another one.
-    Limit(Limit),
-    /// The limit is taken elsewhere than at the printed argument.
-    Elsewhere,
-    /// A covariance of a system that has no stationary state.
-    Unstable {
-        /// The order of the first Hurwitz determinant that is not positive.
-        order: usize,
-        /// That determinant, at the reference values where there are such.
-        determinant: String,
-    },
-}
-
-/// Why an equation is false.
-#[derive(Clone, Debug, Default)]
-pub struct Refutation {
-    /// What is wrong beside a difference of the sides.
-    pub flaw: Option<Flaw>,
-    /// Something that the equation names does not exist, such as `H_{0,1}`.
-    pub missing: Option<String>,
-    /// Shapes in the equation that do not fit; then there is no residual.
-    pub misfit: Option<Misfit>,
-    /// How far a correction was looked for in vain; none where it was not looked for or was found.
-    pub searched: Option<Searched>,
-    /// Left minus right, the entries that do not vanish. With something missing, as if it were zero.
-    pub residual: Vec<ResidualEntry>,
-    /// A point where the sides differ.
-    pub witness: Option<Witness>,
-    /// Where it is true all the same, if it is false only on a part of its domain.
-    pub part: Option<Part>,
-}
-
-/// Where an equation or inequality is true that is false elsewhere.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Where all conditions of one of these lists hold.
-    Signs(Vec<Vec<SignCondition>>),
-    /// At least around this point.
-    Around(Vec<(usize, BigRational)>),
-}
-
-/// That a function is not negative, or not positive.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SignCondition {
-    /// The function of the declared letters.
-    pub function: Polynomial,
-    /// Whether it is not positive.
-    pub negative: bool,
-}
-
-/// An operation in an equation whose operands' shapes do not fit.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Misfit {
-    /// What was being done, such as `*` or `=`.
-    pub operation: String,
-    /// The left operand's shape, such as `4x1`.
-    pub left: String,
-    /// The right operand's shape.
-    pub right: String,
-    /// Where.
-    pub span: Span,
-}
-
-/// A point with exact values of both sides.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Witness {
-    /// Letters of the ring that occur and their values.
-    pub point: Vec<(usize, BigRational)>,
-    /// The left side's entry there.
-    pub left: BigRational,
-    /// The right side's entry there.
-    pub right: BigRational,
-    /// Which entry.
-    pub place: Option<(usize, usize)>,
-    /// Values of the running indices.
-    pub indices: Vec<(String, i64)>,
-}
-
-/// What kind of slip an edit repairs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum EditClass {
-    /// A plus for a minus.
-    Sign,
-    /// An integer factor or literal.
-    Factor,
-    /// An exponent.
-    Exponent,
-    /// An index.
-    Index,
-    /// One letter for another.
-    Letter,
-    /// A lost or superfluous dot.
-    Dot,
-    /// A lost or superfluous term or factor.
-    Term,
-    /// A bracket, a bar's, a slash's or a root's reach, the order of matrices.
-    Bracket,
-    /// A transposition or prime.
-    Transpose,
-    /// Numerator and denominator.
-    Inversion,
-    /// The measure of an integration or its limits.
-    Measure,
-    /// Where a limit is taken.
-    Limit,
-}
-
-impl EditClass {
-    /// The word for it.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            EditClass::Sign => "sign",
-            EditClass::Factor => "factor",
-            EditClass::Exponent => "exponent",
-            EditClass::Index => "index",
-            EditClass::Letter => "letter",
-            EditClass::Dot => "dot",
-            EditClass::Term => "term",
-            EditClass::Bracket => "bracket",
-            EditClass::Transpose => "transpose",
-            EditClass::Inversion => "numerator and denominator",
-            EditClass::Measure => "measure of integration",
-            EditClass::Limit => "limit",
-        }
-    }
-}
-
-/// One change of a printed equation.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Edit {
-    /// What kind.
-    pub class: EditClass,
-    /// Where, in the document.
-    pub span: Span,
-    /// As printed, in LaTeX.
-    pub printed: String,
-    /// As it should read, in LaTeX.
-    pub corrected: String,
-}
-
-/// How many candidates for a correction were tried, and how many would have been at most.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Searched {
-    /// Tried.
-    pub tried: usize,
-    /// The most.
-    pub budget: usize,
-}
-
-/// What a correction changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Changed {
-    /// The left side of the link.
-    Left,
-    /// The right side of the link.
-    Right,
-    /// An equation that defines what the link names, as an index into the model's equations.
-    Definition(usize),
-}
-
-/// Why one of several corrections at the same cost comes first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Preferred {
-    /// The units of the others do not fit.
-    Units,
-    /// With it the matrices that a definition defines are symmetric, with the others not.
-    Symmetry,
-    /// With it so many other links of the same equation hold, with the others fewer.
-    OtherLinks(usize),
-    /// With it so many claims that rest on the equation hold, with the others fewer.
-    LaterClaims(usize),
-}
-
-/// A correction beside the first.
-#[derive(Clone, Debug)]
-pub struct Proposal {
-    /// The changes.
-    pub edits: Vec<Edit>,
-    /// The corrected display.
-    pub display: Display,
-    /// How far-fetched it is.
-    pub cost: u32,
-}
-
-/// An edit of an equation that makes it true.
-#[derive(Clone, Debug)]
-pub struct Correction {
-    /// The changes.
-    pub edits: Vec<Edit>,
-    /// The corrected display; as printed where a definition is corrected.
-    pub display: Display,
-    /// The definition that is corrected instead of the claim, and its corrected display.
-    pub definition: Option<(usize, Display)>,
-    /// What is changed.
-    pub changed: Vec<Changed>,
-    /// How far-fetched it is: ten times the rank of the class of each edit, and more for what is
-    /// rarer.
-    pub cost: u32,
-    /// The relations that it still needs, if any, as in [`Given`].
-    pub given: Option<Given>,
-    /// How many candidates were tried, this one included.
-    pub tried: usize,
-    /// How many would have been at most.
-    pub budget: usize,
-    /// Other corrections at the same cost.
-    pub alternatives: Vec<Vec<Edit>>,
-    /// All other corrections that were proved, these among them, the cheapest first.
-    pub others: Vec<Proposal>,
-    /// Why this one comes before the alternatives, where something says so.
-    pub preferred: Option<Preferred>,
-    /// What came of the other readings of the same places.
-    pub rejected: Vec<Rejected>,
-}
-
-/// A reading that was tried and does not make the equation true.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rejected {
-    /// The changes that lead to it; none for the equation as printed.
-    pub edits: Vec<Edit>,
-    /// What does not exist in it, if anything.
-    pub missing: Option<String>,
-    /// Shapes in it that do not fit, if any.
-    pub misfit: Option<Misfit>,
-    /// Both sides at the reference point, if they have values and differ.
-    pub witness: Option<Witness>,
-}
-
 /// A divisor that must not vanish, and why it does not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NonVanishing {
@@ -401,50 +161,6 @@ pub enum PositiveBy {
     Sign,
 }
 
-/// What proves a verdict, checkable by multiplication.
-#[derive(Clone, Debug, Default)]
-pub struct Certificate {
-    /// Pairs that are equal after the substitutions below.
-    pub entries: Vec<ResidualEntry>,
-    /// Letters of the ring and the values inserted for them.
-    pub inserted: Vec<(usize, RationalFunction)>,
-    /// The relations and, for each entry, the cofactors.
-    pub relations: Vec<Polynomial>,
-    /// For each entry, its cofactors; empty for an identity.
-    pub cofactors: Vec<Vec<RationalFunction>>,
-    /// The letters whose squares are known: i, roots, sines.
-    pub quadratics: Vec<Quadratic>,
-}
-
-impl Certificate {
-    /// Whether every entry is what the certificate claims, by multiplying out: no division, no gcd
-    /// and no search is used.
-    pub fn verify(&self) -> bool {
-        self.entries.iter().enumerate().all(|(k, entry)| {
-            let sides = [&entry.left, &entry.right].map(|side| side.substitute(&self.inserted));
-            let [Ok(left), Ok(right)] = sides else {
-                return false;
-            };
-            let (ln, ld) = (left.numerator(), left.denominator());
-            let (rn, rd) = (right.numerator(), right.denominator());
-            let mut numerator = &(ln * rd) - &(rn * ld);
-            let mut denominator = ld * rd;
-            for (relation, cofactor) in self
-                .relations
-                .iter()
-                .zip(self.cofactors.get(k).map_or(&[][..], |c| c))
-            {
-                let term = &(cofactor.numerator() * relation) * &denominator;
-                numerator = &(&numerator * cofactor.denominator()) - &term;
-                denominator = &denominator * cofactor.denominator();
-            }
-            let numerator = reduce_polynomial(&numerator, &self.quadratics);
-            let denominator = reduce_polynomial(&denominator, &self.quadratics);
-            numerator.is_zero() && !denominator.is_zero()
-        })
-    }
-}
-
 /// An earlier link of the same equation whose correction changes a side of a later one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct After {
@@ -452,6 +168,15 @@ pub struct After {
     pub member: usize,
     /// Whether the later link is true with both of its sides as printed.
     pub true_as_printed: bool,
+}
+
+/// How the program contradicts itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Contradiction {
+    /// A certificate does not verify.
+    Certificate,
+    /// The sides are apart at a point, by enclosures that share nothing with what proved them equal.
+    Challenge(Box<Witness>),
 }
 
 /// Everything that was found out about one link.
@@ -465,8 +190,9 @@ pub struct Outcome {
     pub verdict: Verdict,
     /// The divisors that must not vanish.
     pub conditions: Vec<NonVanishing>,
-    /// What proves it.
-    pub certificate: Certificate,
+    /// Whether the program contradicts itself here: a certificate that does not verify, or a point at
+    /// which a second route finds apart what was proved equal.
+    pub contradiction: Option<Contradiction>,
     /// Why an inequality holds.
     pub positivity: Option<Positivity>,
     /// Where it is false, an earlier link whose correction changed a side of it.
@@ -476,4 +202,19 @@ pub struct Outcome {
     /// The instances of the model for which the verdict is this one: all, or those for which it is
     /// worst.
     pub instances: Vec<usize>,
+}
+
+impl Verdict {
+    /// What proves it, where it is said to be true, or true as corrected.
+    pub fn proof(&self) -> Option<&Proof> {
+        match self {
+            Verdict::Holds { proof, .. } => Some(proof),
+            Verdict::HoldsGiven(_, proof) => Some(proof),
+            Verdict::Misprint { correction, .. } => Some(&correction.proof),
+            Verdict::Refuted(_)
+            | Verdict::Undecided { .. }
+            | Verdict::Definition { .. }
+            | Verdict::Recalled { .. } => None,
+        }
+    }
 }

@@ -53,7 +53,7 @@ fn refuted(claim: &str) -> String {
         panic!("{claim} is {}: {line}", verdict.word());
     };
     assert!(
-        refutation.misfit.is_some() || refutation.witness.is_some(),
+        refutation.misfit().is_some() || refutation.witness().is_some(),
         "{claim}: {line}"
     );
     line
@@ -95,8 +95,9 @@ fn the_witness_is_beside_the_part() {
     let Verdict::Refuted(refutation) = verdict else {
         panic!("{line}");
     };
-    let witness = refutation.witness.expect("a witness");
-    assert_eq!(witness.left, -witness.right.clone());
+    let witness = refutation.witness().cloned().expect("a witness");
+    let [left, right] = [witness.left, witness.right].map(|v| v.exact().expect("exact").clone());
+    assert_eq!(left, -right);
     let one = num_rational::BigRational::from_integer(1.into());
     assert!(
         witness.point.iter().all(|(_, value)| *value < one),

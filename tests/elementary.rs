@@ -125,7 +125,7 @@ fn what_has_no_value_or_is_not_known_is_no_pass() {
         let audit = audit(&[claim]);
         let verdict = &audit.outcomes[0].verdict;
         assert!(
-            !matches!(verdict, Verdict::Holds { .. } | Verdict::HoldsGiven(_)),
+            !matches!(verdict, Verdict::Holds { .. } | Verdict::HoldsGiven(..)),
             "{claim} ({why}): {verdict:?}"
         );
     }

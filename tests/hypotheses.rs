@@ -40,7 +40,7 @@ fn a_counterexample_has_a_positive_definite_matrix_where_one_is_declared() {
     let Verdict::Refuted(refutation) = &audit.outcomes[0].verdict else {
         panic!("{:?}", audit.outcomes[0].verdict);
     };
-    let witness = refutation.witness.as_ref().expect("a point");
+    let witness = refutation.witness().expect("a point");
     let value = |name: &str| -> BigRational {
         let found = witness.point.iter().find(|(letter, _)| {
             rederive::latex::canonical(&audit.model.letter_name(*letter)) == name

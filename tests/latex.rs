@@ -1,12 +1,11 @@
 //! Reading and writing LaTeX: the printed forms of a paper, forms that must be refused, and laws.
 
-#[path = "latex/dump.rs"]
-mod dump;
 #[path = "latex/laws.rs"]
 mod laws;
 #[path = "latex/refused.rs"]
 mod refused;
 
+use rederive::expr::reading;
 use rederive::latex::{Signature, parse_display, parse_name, write_display};
 
 /// A table's list of strings.
@@ -90,14 +89,14 @@ fn reads(case: &toml::Table, signature: &Signature) -> Result<(), String> {
     };
     let display = read(latex)?;
     let tree = string(case, "tree").trim();
-    expect(dump::display(&display), tree, latex)?;
+    expect(reading::display(&display), tree, latex)?;
     let written = write_display(&display);
     let again = read(&written)?;
     // The writer knows no signature: where a document's declarations alone decide the reading, it
     // writes brackets, and the case gives the tree with them.
     let rewritten = case.get("rewritten").and_then(|tree| tree.as_str());
     expect(
-        dump::display(&again),
+        reading::display(&again),
         rewritten.unwrap_or(tree).trim(),
         &written,
     )?;
@@ -134,7 +133,7 @@ fn forms_that_papers_print() {
 fn definitions_declare_their_names() {
     let mut signature = Signature::default();
     let applied = |text: &str, signature: &Signature| {
-        parse_display(text, 0, signature).map(|display| dump::display(&display))
+        parse_display(text, 0, signature).map(|display| reading::display(&display))
     };
     for text in ["c(s)", "g(s)", "w(s)", "b(s)", "x(s)"] {
         assert!(applied(text, &signature).is_err(), "{text}");

@@ -471,7 +471,7 @@ fn sides_of_other_shapes_are_false() {
     let Verdict::Refuted(refutation) = &audit.outcomes[0].verdict else {
         panic!("{}", audit.outcomes[0].verdict.word());
     };
-    let misfit = refutation.misfit.as_ref().expect("a misfit");
+    let misfit = refutation.misfit().expect("a misfit");
     assert_eq!((&misfit.left[..], &misfit.right[..]), ("2x1", "2x2"));
 }
 

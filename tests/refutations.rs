@@ -169,7 +169,7 @@ fn a_refutation_names_a_point_where_the_sides_differ() {
                 panic!("{link}: {:?}", outcome.verdict.word());
             };
             assert!(!refutation.residual.is_empty(), "{link}: no residual");
-            let witness = refutation.witness.as_ref().expect("a witness");
+            let witness = refutation.witness().expect("a witness");
             assert_ne!(witness.left, witness.right, "{link}");
         }
     }

@@ -14,7 +14,10 @@ use crate::matrix::Matrix;
 use crate::model::links::Link;
 use crate::model::{Letter, Node};
 use crate::theory::{characteristic, determinant, hurwitz};
-use crate::verdict::{Part, PositiveBy, Positivity, Refutation, ResidualEntry, Verdict, Witness};
+use crate::verdict::certificate::{Ordered, Steps};
+use crate::verdict::{
+    Part, PointValue, PositiveBy, Positivity, Refutation, ResidualEntry, Verdict, Witness,
+};
 use num_rational::BigRational;
 use num_traits::Zero;
 use ratpoly::{Bound, Budget, RationalFunction, Region, RegionSign, sign_of_quotient_on};
@@ -60,7 +63,12 @@ impl Checker<'_> {
                 }
                 sign => {
                     *positivity = None;
-                    let mut refutation = self.not_positive(value, &sign);
+                    let Some(mut refutation) = self.not_positive(value, &sign) else {
+                        return undecided(
+                            "it does not hold for all values by its signs, and no point was found \
+                             that shows it false",
+                        );
+                    };
                     // One of several conditions says little of where all hold.
                     if signs.positive.len() > 1 {
                         refutation.part = None;
@@ -69,7 +77,23 @@ impl Checker<'_> {
                 }
             }
         }
-        Verdict::Holds { by: Vec::new() }
+        let ordered = Ordered {
+            positive: signs.positive.iter().map(Into::into).collect(),
+            strict,
+            criterion: match &positivity.as_ref().map(|p| &p.by) {
+                Some(PositiveBy::Declared(name)) => format!("a positive multiple of {name}"),
+                Some(PositiveBy::Minors(_)) => "leading principal minors".into(),
+                Some(PositiveBy::Hurwitz(_)) => "Hurwitz determinants".into(),
+                Some(PositiveBy::Sign) | None => "its sign".into(),
+            },
+        };
+        match self.verified(equation, link, Steps::Ordered(ordered)) {
+            Some(proof) => Verdict::Holds {
+                by: Vec::new(),
+                proof,
+            },
+            None => super::link::unverified(),
+        }
     }
 
     /// What a link with a relation of order asks to be positive, or not negative, in the declared
@@ -256,7 +280,7 @@ impl Checker<'_> {
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         let expanded = super::identity::insert(&open, &all, self.model.functions.as_ref()).ok()?;
         let different = expanded.iter().any(|e| e.left != e.right);
-        different.then(|| self.refutation(&open, &expanded))
+        different.then(|| self.refutation(&open, &expanded))?
     }
 
     /// The sign for all values of the letters, the definitions inserted.
@@ -281,7 +305,7 @@ impl Checker<'_> {
     }
 
     /// A point at which what should be positive is not.
-    fn not_positive(&self, value: &RationalFunction, sign: &RegionSign) -> Refutation {
+    fn not_positive(&self, value: &RationalFunction, sign: &RegionSign) -> Option<Refutation> {
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         let expanded = value
             .substitute(&all.letters)
@@ -305,8 +329,8 @@ impl Checker<'_> {
             let zero = BigRational::zero();
             (found <= zero).then(|| Witness {
                 point: letters.iter().map(|l| (*l, point[*l].clone())).collect(),
-                left: found,
-                right: zero,
+                left: PointValue::Exact(found),
+                right: PointValue::Exact(zero),
                 place: None,
                 indices: Vec::new(),
             })
@@ -320,12 +344,9 @@ impl Checker<'_> {
                 .map(Part::Around),
             _ => None,
         };
-        Refutation {
-            residual: vec![entry],
-            witness,
-            part,
-            ..Refutation::default()
-        }
+        let mut refutation = Refutation::at(witness?).with_residual(vec![entry]);
+        refutation.part = part;
+        Some(refutation)
     }
 }
 

@@ -46,16 +46,19 @@ pub fn effect(model: &Model, outcome: &Outcome) -> Option<Effect> {
         Verdict::Refuted(refutation) => (refutation, None),
         _ => return None,
     };
-    let witness = refutation.witness.as_ref()?;
+    let witness = refutation.witness()?;
     let scalar = witness.place.is_none() && witness.indices.is_empty();
     let at_reference = witness.point.iter().all(|(letter, value)| {
         matches!(model.letters[*letter], Letter::Symbol { symbol, order: 0 }
             if model.symbols[symbol].value.as_ref() == Some(value))
     });
-    if !scalar || !at_reference || refutation.missing.is_some() {
+    if !scalar || !at_reference || refutation.missing().is_some() {
         return None;
     }
-    let (mut printed, mut correct) = (witness.left.clone(), witness.right.clone());
+    let (mut printed, mut correct) = (
+        witness.left.exact()?.clone(),
+        witness.right.exact()?.clone(),
+    );
     let corrected = match correction {
         None => false,
         Some(correction) => {
@@ -172,7 +175,7 @@ impl<'m> Changes<'m> {
         else {
             return Vec::new();
         };
-        if refutation.missing.is_some() {
+        if refutation.missing().is_some() {
             return Vec::new();
         }
         let Some(side) = wrong_side(self.model, outcome, correction) else {

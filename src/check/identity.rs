@@ -29,7 +29,8 @@ pub(crate) enum Decision {
     Holds(Insertion),
     /// True under relations.
     HoldsGiven(Insertion, Given),
-    /// False: the open entries as printed and with all definitions inserted.
+    /// Not proved: the open entries as printed and with all definitions inserted, which are different
+    /// formulas.
     False(Vec<ResidualEntry>, Vec<ResidualEntry>),
     /// False, with what shows it.
     Refuted(Refutation),
@@ -112,8 +113,11 @@ impl Checker<'_> {
     ) -> Result<Decision, String> {
         match self.decide_true(entries, equation)? {
             Decision::False(open, expanded) => {
-                let open: Vec<&ResidualEntry> = open.iter().collect();
-                Ok(Decision::Refuted(self.refutation(&open, &expanded)))
+                let shown: Vec<&ResidualEntry> = open.iter().collect();
+                match self.refutation(&shown, &expanded) {
+                    Some(refutation) => Ok(Decision::Refuted(refutation)),
+                    None => Ok(Decision::False(open, expanded)),
+                }
             }
             decision => Ok(decision),
         }

@@ -52,32 +52,29 @@ fn merged(first: Outcome, second: Outcome) -> Outcome {
             },
         ) => {
             both.verdict = match common(*small, *large) {
-                Some((correction, from_second)) => {
-                    if from_second {
-                        both.certificate = second.certificate;
-                    }
-                    Verdict::Misprint {
-                        refutation,
-                        correction: Box::new(correction),
-                    }
-                }
+                Some((correction, _)) => Verdict::Misprint {
+                    refutation,
+                    correction: Box::new(correction),
+                },
                 None => Verdict::Refuted(refutation),
             };
         }
-        (Verdict::Holds { by }, Verdict::Holds { by: also }) => {
-            let inserted = both.certificate.inserted == second.certificate.inserted;
-            if inserted {
-                both.certificate.entries.extend(second.certificate.entries);
-            }
+        (
+            Verdict::Holds { by, proof },
+            Verdict::Holds {
+                by: also,
+                proof: second,
+            },
+        ) => {
             let more = also.into_iter().filter(|label| !by.contains(label));
             both.verdict = Verdict::Holds {
                 by: by.iter().cloned().chain(more).collect(),
+                proof: proof.for_sizes(second),
             };
         }
-        (_, Verdict::HoldsGiven(given)) => {
+        (_, Verdict::HoldsGiven(given, proof)) => {
             // The larger instance needs every relation that the smaller one needs.
-            both.verdict = Verdict::HoldsGiven(given);
-            both.certificate = second.certificate;
+            both.verdict = Verdict::HoldsGiven(given, proof);
         }
         _ => {}
     }

@@ -7,12 +7,17 @@
 use super::Checker;
 use super::edit::{Address, Replacement};
 use crate::evaluate::{Failure, FailureKind, Value};
+use crate::expr::reading;
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::{FunctionTable, Impossible};
 use crate::model::links::{Link, Place, children, children_mut};
 use crate::model::names::Resolved;
 use crate::theory::limit::{Limit, Towards, limit};
-use crate::verdict::{Changed, Correction, EditClass, Flaw, Refutation, ResidualEntry, Verdict};
+use crate::verdict::certificate::{Leading, Steps};
+use crate::verdict::{
+    Changed, Correction, CounterProof, EditClass, Refutation, ResidualEntry, Shown, Structure,
+    Verdict,
+};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use ratpoly::RationalFunction;
@@ -40,16 +45,12 @@ impl Checker<'_> {
             };
         }
         let flaw = match self.flaw_of_limit(&display, link, approach.as_ref()) {
-            Ok(None) => return Verdict::Holds { by: Vec::new() },
+            Ok(None) => return self.limit_holds(equation, link),
             Ok(Some(flaw)) => flaw,
             Err(failure) => return self.failed(&failure),
         };
         let residual = self.limit_residual(&flaw, &display, link);
-        let refutation = Refutation {
-            flaw: Some(flaw),
-            residual,
-            ..Refutation::default()
-        };
+        let refutation = Refutation::new(flaw).with_residual(residual);
         // The other end is what is easily mistaken.
         let Some(approach) = approach else {
             return Verdict::Refuted(refutation);
@@ -77,6 +78,10 @@ impl Checker<'_> {
         ) {
             (Ok(None), Some(edit)) => {
                 self.exact.correct(equation, corrected.clone());
+                let Verdict::Holds { proof, .. } = self.limit_holds(equation, link) else {
+                    self.exact.correct(equation, display);
+                    return Verdict::Refuted(refutation);
+                };
                 Verdict::Misprint {
                     refutation,
                     correction: Box::new(Correction {
@@ -86,6 +91,7 @@ impl Checker<'_> {
                         changed: vec![Changed::Right],
                         cost: super::edit::cost_of(EditClass::Limit),
                         given: None,
+                        proof,
                         tried: 1,
                         budget: 1,
                         others: Vec::new(),
@@ -96,6 +102,45 @@ impl Checker<'_> {
                 }
             }
             _ => Verdict::Refuted(refutation),
+        }
+    }
+
+    /// That a limit is the printed one, with the quotient whose leading terms show it.
+    fn limit_holds(&mut self, equation: usize, link: &Link) -> Verdict {
+        let display = self.exact.display(equation).clone();
+        let approach = self.approach(&display, link);
+        let moved = approach.as_ref().and_then(|approach| {
+            let mut moving = link.left.find(&display)?.clone();
+            set_moving(&mut moving, approach, &mut false);
+            let letter = self.model.letter_of_symbol(approach.symbol, 0)?;
+            match self.exact.expression(&moving).ok()? {
+                Value::Scalar(value) => Some((self.spelt_out(&self.table(), &value)?, letter)),
+                Value::Matrix(_) | Value::Zero => None,
+            }
+        });
+        let text = |e: Option<&Expr>| e.map_or_else(String::new, reading::expr);
+        let limit = text(link.right.find(&display));
+        let steps = match (moved, &approach) {
+            (Some((quotient, letter)), Some(approach)) => Steps::Leading(Leading {
+                quotient: (&quotient).into(),
+                letter,
+                towards: text(approach.place.find(&display)),
+                limit,
+            }),
+            // An integral that is said to be infinite diverges by the rule that found it.
+            _ => Steps::Leading(Leading {
+                quotient: (&RationalFunction::one(self.model.ring)).into(),
+                letter: 0,
+                towards: "its limits of integration".into(),
+                limit,
+            }),
+        };
+        match self.verified(equation, link, steps) {
+            Some(proof) => Verdict::Holds {
+                by: Vec::new(),
+                proof,
+            },
+            None => super::link::unverified(),
         }
     }
 
@@ -130,7 +175,7 @@ impl Checker<'_> {
         display: &Display,
         link: &Link,
         approach: Option<&Approach>,
-    ) -> Result<Option<Flaw>, Failure> {
+    ) -> Result<Option<Shown>, Failure> {
         let missing = || Failure::unsupported("a link without its sides", Default::default());
         let left = link.left.find(display).ok_or_else(missing)?;
         let right = link.right.find(display).ok_or_else(missing)?;
@@ -147,7 +192,7 @@ impl Checker<'_> {
             let mut elsewhere = false;
             set_moving(&mut moving, approach, &mut elsewhere);
             if elsewhere {
-                return Ok(Some(Flaw::Elsewhere));
+                return Ok(Some(Shown::Structure(Structure::Elsewhere)));
             }
         }
         let mut wrong = None;
@@ -194,7 +239,7 @@ impl Checker<'_> {
                 _ => false,
             };
             if !agrees && wrong.is_none() {
-                wrong = Some(Flaw::Limit(found));
+                wrong = Some(Shown::CounterProof(CounterProof::Limit(found)));
             }
             case += 1;
             if case >= cases {
@@ -331,11 +376,11 @@ impl Checker<'_> {
 
     fn limit_residual(
         &mut self,
-        flaw: &Flaw,
+        flaw: &Shown,
         display: &Display,
         link: &Link,
     ) -> Vec<ResidualEntry> {
-        let Flaw::Limit(Limit::To(left)) = flaw else {
+        let Shown::CounterProof(CounterProof::Limit(Limit::To(left))) = flaw else {
             return Vec::new();
         };
         let right = link.right.find(display).map(|e| self.exact.expression(e));

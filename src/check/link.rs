@@ -1,6 +1,6 @@
 //! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
 
-use super::identity::{self, Decision};
+use super::identity::Decision;
 use super::{Checker, index_tuples};
 use crate::domain::Domain;
 use crate::evaluate::{Failure, FailureKind};
@@ -9,7 +9,7 @@ use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
-use crate::verdict::{Certificate, Positivity, Refutation, Verdict};
+use crate::verdict::{Positivity, Refutation, Verdict};
 use num_traits::Signed;
 use ratpoly::RationalFunction;
 
@@ -20,7 +20,6 @@ impl Checker<'_> {
         equation: usize,
         l: usize,
         unusable: Option<&str>,
-        certificate: &mut Certificate,
         positivity: &mut Option<Positivity>,
     ) -> Verdict {
         let model = self.model;
@@ -55,7 +54,7 @@ impl Checker<'_> {
         } else if link.relation != Relation::Equal {
             self.inequality(equation, link, positivity)
         } else {
-            self.claim(equation, link, certificate)
+            self.claim(equation, link)
         }
     }
 
@@ -102,11 +101,8 @@ impl Checker<'_> {
         );
         match self.exact.value_of(key, span) {
             Ok(_) => {
-                if let Some(flaw) = self.instability(system) {
-                    return Verdict::Refuted(Refutation {
-                        flaw: Some(flaw),
-                        ..Refutation::default()
-                    });
+                if let Some(proof) = self.instability(system) {
+                    return Verdict::Refuted(Refutation::by_counter_proof(proof));
                 }
                 let unknowns = &model.systems[system].unknowns;
                 let names: Vec<String> = unknowns.iter().map(latex::canonical).collect();
@@ -157,49 +153,53 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn claim(
-        &mut self,
-        equation: usize,
-        link: &Link,
-        certificate: &mut Certificate,
-    ) -> Verdict {
+    pub(super) fn claim(&mut self, equation: usize, link: &Link) -> Verdict {
         let entries = match self.sides(equation, link) {
             Ok(entries) => entries,
             Err(failure) => match &failure.kind {
                 FailureKind::Outside { name } => {
                     let refutation = self.refute_outside(equation, link, name.clone());
-                    return self.repaired(equation, link, refutation, certificate);
+                    return self.repaired(equation, link, refutation);
                 }
                 // Shapes that do not fit where the equation itself is printed make it false; a
                 // misfit inside of a definition that it uses makes the document unusable.
                 FailureKind::Shape { .. } if self.is_printed_in(equation, &failure) => {
-                    let refutation = Refutation::of_misfit(&failure);
-                    return self.repaired(equation, link, refutation, certificate);
+                    return match Refutation::of_misfit(&failure) {
+                        Some(refutation) => self.repaired(equation, link, refutation),
+                        None => self.failed(&failure),
+                    };
                 }
                 _ => return self.failed(&failure),
             },
         };
         match self.decide(&entries, equation) {
-            Ok(Decision::Holds(by)) => {
-                *certificate = self.certificate(entries, &by, None);
-                Verdict::Holds { by: by.labels }
-            }
+            Ok(Decision::Holds(by)) => match self.proved(equation, link, &entries, &by, None) {
+                Some(proof) => Verdict::Holds {
+                    by: by.labels,
+                    proof,
+                },
+                None => unverified(),
+            },
             Ok(Decision::HoldsGiven(by, given)) => {
-                let not_identical = given.cofactors.iter().map(|g| g.entry.clone()).collect();
-                *certificate = self.certificate(not_identical, &by, Some(&given));
-                Verdict::HoldsGiven(Box::new(given))
+                match self.proved(equation, link, &[], &by, Some(&given)) {
+                    Some(proof) => Verdict::HoldsGiven(Box::new(given), proof),
+                    None => unverified(),
+                }
             }
             Ok(Decision::Refuted(mut refutation)) => match self.part(&entries) {
                 // What it lacks is a hypothesis; an edit would be an invention.
                 Some((part, witness)) => {
-                    refutation.part = Some(part);
-                    refutation.witness = Some(witness);
-                    Verdict::Refuted(refutation)
+                    let mut on_part = Refutation::at(witness);
+                    on_part.residual = std::mem::take(&mut refutation.residual);
+                    on_part.part = Some(part);
+                    Verdict::Refuted(on_part)
                 }
-                None => self.repaired(equation, link, refutation, certificate),
+                None => self.repaired(equation, link, refutation),
             },
             Ok(Decision::False(..)) => Verdict::Undecided {
-                reason: "the sides differ, and nothing shows where".into(),
+                reason: "the sides differ as formulas, and no admissible point was found at which \
+                         their values are apart"
+                    .into(),
             },
             Err(reason) => Verdict::Undecided { reason },
         }
@@ -211,35 +211,6 @@ impl Checker<'_> {
         span.start <= failure.span.start && failure.span.end <= span.end
     }
 
-    pub(super) fn certificate(
-        &self,
-        entries: Vec<crate::verdict::ResidualEntry>,
-        by: &identity::Insertion,
-        given: Option<&crate::verdict::Given>,
-    ) -> Certificate {
-        let functions = self.model.functions.as_ref();
-        let mut inserted = by.letters.clone();
-        if let Some(table) = functions {
-            let needed = entries
-                .iter()
-                .flat_map(|e| [&e.left, &e.right])
-                .flat_map(|side| table.letters_behind(side))
-                .collect();
-            if let Ok(all) = table.extended(&inserted, &needed) {
-                inserted = all;
-            }
-        }
-        Certificate {
-            quadratics: functions.map_or_else(Vec::new, |table| table.quadratics().to_vec()),
-            entries,
-            inserted,
-            relations: given.map_or_else(Vec::new, |g| g.relations.clone()),
-            cofactors: given.map_or_else(Vec::new, |g| {
-                g.cofactors.iter().map(|c| c.cofactors.clone()).collect()
-            }),
-        }
-    }
-
     /// A refuted link with the correction that the search finds; the corrected display is what
     /// later equations are computed from.
     pub(super) fn repaired(
@@ -247,7 +218,6 @@ impl Checker<'_> {
         equation: usize,
         link: &Link,
         mut refutation: Refutation,
-        certificate: &mut Certificate,
     ) -> Verdict {
         // Where the document says what is meant instead, nothing is misprinted in the equation.
         let settings = &self.model.equations[equation].settings;
@@ -255,8 +225,7 @@ impl Checker<'_> {
             return Verdict::Refuted(refutation);
         }
         match self.search(equation, link, self.options.candidates) {
-            Ok((correction, proof)) => {
-                *certificate = proof;
+            Ok(correction) => {
                 self.exact.correct(equation, correction.display.clone());
                 if let Some((definition, display)) = &correction.definition {
                     self.exact.correct(*definition, display.clone());
@@ -300,5 +269,12 @@ impl Checker<'_> {
             FailureKind::Inconsistent => "the equations contradict each other".into(),
             _ => "the document has an error".into(),
         }
+    }
+}
+
+/// What is said where a certificate does not verify; the outcome says that it is a fault of the program.
+pub(super) fn unverified() -> Verdict {
+    Verdict::Undecided {
+        reason: "what was found to prove it does not verify".into(),
     }
 }

@@ -16,6 +16,7 @@ mod limits;
 mod link;
 mod order;
 mod part;
+mod proof;
 mod relations;
 mod repair;
 mod scope;
@@ -31,7 +32,7 @@ use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
 use crate::model::{Letter, Model, Node};
 use crate::verdict::statement::StatementOutcome;
-use crate::verdict::{Certificate, Outcome, Verdict};
+use crate::verdict::{Contradiction, Outcome, Verdict};
 use ratpoly::RationalFunction;
 use std::collections::BTreeMap;
 
@@ -71,6 +72,8 @@ pub struct Checker<'m> {
     in_definitions: bool,
     /// Why the last link that was looked at stayed undecided, where its evaluation failed.
     failure: Option<FailureKind>,
+    /// How the program contradicted itself on the last link, if it did.
+    contradiction: Option<Contradiction>,
 }
 
 /// The verdicts on a model.
@@ -145,6 +148,7 @@ impl<'m> Checker<'m> {
             readings: Default::default(),
             in_definitions: true,
             failure: None,
+            contradiction: None,
         }
     }
 
@@ -231,11 +235,10 @@ impl<'m> Checker<'m> {
     /// What is found out about one link of an equation, whose hypotheses may be unusable.
     fn outcome(&mut self, equation: usize, l: usize, unusable: Option<&str>) -> Outcome {
         let printed = &self.model.equations[equation];
-        let mut certificate = Certificate::default();
+        self.contradiction = None;
         let mut positivity = None;
         let before = self.exact.display(equation).clone();
-        let verdict = self.verdict(equation, l, unusable, &mut certificate, &mut positivity);
-        debug_assert!(certificate.verify(), "a certificate that does not verify");
+        let verdict = self.verdict(equation, l, unusable, &mut positivity);
         let conditions = self.conditions();
         let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
         let after = match &verdict {
@@ -247,7 +250,7 @@ impl<'m> Checker<'m> {
             member: printed.links[l].member,
             verdict,
             conditions,
-            certificate,
+            contradiction: self.contradiction.take(),
             positivity,
             after,
             assumed: assumed.collect(),

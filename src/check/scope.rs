@@ -9,7 +9,8 @@ use super::edit::{self, Address, Replacement};
 use crate::expr::{Display, Expr, ExprKind, Name};
 use crate::latex;
 use crate::model::links::{Link, Place, children};
-use crate::verdict::{Changed, Correction, Edit, EditClass, Flaw, Refutation, Verdict};
+use crate::verdict::certificate::Steps;
+use crate::verdict::{Changed, Correction, Edit, EditClass, Refutation, Shown, Structure, Verdict};
 
 /// The letters of an expression.
 #[derive(Default)]
@@ -70,7 +71,7 @@ impl Letters {
 }
 
 /// What is wrong with the letters of `left = body`, if anything is.
-pub(super) fn flaw(left: &Expr, body: &Expr) -> Option<Flaw> {
+pub(super) fn flaw(left: &Expr, body: &Expr) -> Option<Structure> {
     let ExprKind::Apply { arguments, .. } = &left.kind else {
         return None;
     };
@@ -91,7 +92,7 @@ pub(super) fn flaw(left: &Expr, body: &Expr) -> Option<Flaw> {
     } else {
         &letters.applied
     };
-    Some(Flaw::Scope {
+    Some(Structure::Scope {
         argument: latex::canonical(argument),
         bound,
         free: free.iter().map(latex::canonical).collect(),
@@ -104,10 +105,7 @@ impl Checker<'_> {
         let display = self.exact.display(equation).clone();
         let flaw_of = |display: &Display| flaw(link.left.find(display)?, link.right.find(display)?);
         let flaw = flaw_of(&display)?;
-        let refutation = Refutation {
-            flaw: Some(flaw),
-            ..Refutation::default()
-        };
+        let refutation = Refutation::by_structure(flaw);
         let mut candidates = edit::measures(&display, &[link.right]);
         candidates.extend(arguments(&display, link.left, &refutation));
         let tried = candidates.len();
@@ -128,6 +126,10 @@ impl Checker<'_> {
         };
         let alternatives = mended.map(|(_, edits)| edits).collect();
         self.exact.correct(equation, corrected.clone());
+        let Some(proof) = self.verified(equation, link, Steps::Scope) else {
+            self.exact.correct(equation, display);
+            return Some(Verdict::Refuted(refutation));
+        };
         Some(Verdict::Misprint {
             refutation,
             correction: Box::new(Correction {
@@ -137,6 +139,7 @@ impl Checker<'_> {
                 changed: vec![Changed::Right],
                 cost: edit::cost_of(EditClass::Measure),
                 given: None,
+                proof,
                 tried,
                 budget: tried,
                 others: Vec::new(),
@@ -150,7 +153,7 @@ impl Checker<'_> {
 
 /// Another letter as the argument on the left.
 fn arguments(display: &Display, left: Place, refutation: &Refutation) -> Vec<Replacement> {
-    let Some(Flaw::Scope { free, bound, .. }) = &refutation.flaw else {
+    let Shown::Structure(Structure::Scope { free, bound, .. }) = refutation.shown() else {
         return Vec::new();
     };
     let Some(ExprKind::Apply { .. }) = left.find(display).map(|e| &e.kind) else {

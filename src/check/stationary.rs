@@ -4,13 +4,13 @@ use super::Checker;
 use crate::domain::Domain;
 use crate::model::Node;
 use crate::theory::stability::hurwitz_determinants;
-use crate::verdict::Flaw;
+use crate::verdict::CounterProof;
 use num_traits::Signed;
 
 impl Checker<'_> {
     /// What is called a covariance and solves a Lyapunov equation must belong to a stable system: at
     /// the reference point, or for all positive letters, its Hurwitz determinants say whether it does.
-    pub(super) fn instability(&mut self, system: usize) -> Option<Flaw> {
+    pub(super) fn instability(&mut self, system: usize) -> Option<CounterProof> {
         let node = Node::Unknown {
             system,
             position: 0,
@@ -35,7 +35,7 @@ impl Checker<'_> {
                 }
             };
             if negative {
-                return Some(Flaw::Unstable {
+                return Some(CounterProof::Unstable {
                     order: k + 1,
                     determinant: value,
                 });

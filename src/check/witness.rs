@@ -3,10 +3,14 @@
 use super::Checker;
 use super::identity::letters_of;
 use crate::evaluate::Failure;
+use crate::functions::FunctionLetter;
 use crate::model::Letter;
 use crate::model::links::Link;
 use crate::model::matrices::MatrixEntry;
-use crate::verdict::{Refutation, ResidualEntry, Witness};
+use crate::model::range::Numbers;
+use crate::verdict::{
+    CounterProof, PointValue, Refutation, ResidualEntry, Shown, Structure, Witness,
+};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -16,21 +20,80 @@ use ratpoly::RationalFunction;
 const TRIES: u32 = 24;
 
 impl Checker<'_> {
-    /// Why the open entries are false, given the same entries with all definitions inserted.
+    /// Why the open entries are false, given the same entries with all definitions inserted; none
+    /// where no admissible point was found at which they are apart.
     pub(crate) fn refutation(
         &self,
         open: &[&ResidualEntry],
         expanded: &[ResidualEntry],
-    ) -> Refutation {
-        let witness = expanded
-            .iter()
-            .filter(|e| e.left != e.right)
-            .find_map(|e| self.reference_witness(e));
-        Refutation {
-            residual: open.iter().map(|e| (*e).clone()).collect(),
-            witness,
-            ..Refutation::default()
+    ) -> Option<Refutation> {
+        let mut different = expanded.iter().filter(|e| e.left != e.right);
+        let shown = different.find_map(|e| match self.reference_witness(e) {
+            Some(witness) => Some(Shown::Point(witness)),
+            None => self.different_multiples(e).map(Shown::CounterProof),
+        })?;
+        let residual = open.iter().map(|e| (*e).clone()).collect();
+        Some(Refutation::new(shown).with_residual(residual))
+    }
+
+    /// That the sides hold different multiples of the Dirac distribution of a letter x, where nothing
+    /// else in them depends on x: a test function that is one around zero and narrow enough gives
+    /// different numbers.
+    fn different_multiples(&self, entry: &ResidualEntry) -> Option<CounterProof> {
+        let table = self.model.functions.as_ref()?;
+        let letters = [&entry.left, &entry.right].map(|side| table.letters_behind(side));
+        let mut diracs =
+            letters
+                .iter()
+                .flatten()
+                .filter_map(|letter| match table.meaning(*letter)? {
+                    FunctionLetter::Dirac(argument) => Some((*letter, argument)),
+                    FunctionLetter::Pi
+                    | FunctionLetter::ImaginaryUnit
+                    | FunctionLetter::Exponential(_)
+                    | FunctionLetter::Cosine(_)
+                    | FunctionLetter::Sine(..)
+                    | FunctionLetter::Root(_)
+                    | FunctionLetter::Power(..)
+                    | FunctionLetter::Logarithm(_)
+                    | FunctionLetter::Bound { .. } => None,
+                });
+        let (dirac, argument) = diracs.next()?;
+        if diracs.any(|(other, _)| other != dirac) {
+            return None;
         }
+        let x = match letters_of([&argument]).into_iter().collect::<Vec<_>>()[..] {
+            [x] if argument == RationalFunction::variable(self.model.ring, x) => x,
+            _ => return None,
+        };
+        let zero_is_admitted = match self.model.letters[x] {
+            Letter::Symbol { symbol, order: 0 } => {
+                let range = &self.model.symbols[symbol].range;
+                range.numbers == Numbers::Real && range.contains(&BigRational::zero())
+            }
+            _ => false,
+        };
+        let multiple = |side: &RationalFunction| {
+            let multiple = side.derivative(dirac).ok()?;
+            let rest = side - &(&multiple * &table.variable(dirac));
+            let apart = |f: &RationalFunction| {
+                let behind = table.letters_behind(f);
+                !behind.contains(&x) && !behind.contains(&dirac)
+            };
+            (apart(&multiple) && apart(&table.reduce(rest))).then_some(multiple)
+        };
+        if !zero_is_admitted {
+            return None;
+        }
+        let multiples = self.reference_witness(&ResidualEntry {
+            left: multiple(&entry.left)?,
+            right: multiple(&entry.right)?,
+            ..entry.clone()
+        })?;
+        Some(CounterProof::Distribution {
+            argument: x,
+            multiples: Box::new(multiples),
+        })
     }
 
     /// The refutation of a link that names something that does not exist: what is left when it is
@@ -44,20 +107,26 @@ impl Checker<'_> {
         self.exact.lenient = true;
         let entries = self.sides(equation, link);
         self.exact.lenient = false;
-        let mut refutation = Refutation::default();
+        let mut residual = Vec::new();
+        let mut witness = None;
         if let Ok(entries) = entries {
             let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
             let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
             let functions = self.model.functions.as_ref();
             let expanded = super::identity::insert(&open, &all, functions).unwrap_or_default();
-            refutation = self.refutation(&open, &expanded);
+            let as_zero = self.refutation(&open, &expanded);
+            witness = as_zero.and_then(|r| r.witness().cloned());
+            residual = open.into_iter().cloned().collect();
         }
-        refutation.missing = Some(missing);
-        refutation
+        Refutation::by_structure(Structure::Missing {
+            name: missing,
+            read_as_zero: witness.map(Box::new),
+        })
+        .with_residual(residual)
     }
 
     /// A point in the declared symbols: their reference values where these tell the sides apart,
-    /// otherwise small integers.
+    /// otherwise small numbers that their ranges admit.
     fn reference_witness(&self, entry: &ResidualEntry) -> Option<Witness> {
         let reference = |letter: usize| match self.model.letters[letter] {
             Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol].value.clone(),
@@ -65,13 +134,24 @@ impl Checker<'_> {
         };
         (0..TRIES).find_map(|k| {
             self.witness_at(entry, |letter, position| {
+                let small = || self.admissible_number(letter, position, k.max(1));
                 if k == 0 {
-                    reference(letter).unwrap_or_else(|| small(position, 1))
+                    reference(letter).unwrap_or_else(small)
                 } else {
-                    small(position, k)
+                    small()
                 }
             })
         })
+    }
+
+    /// A small number that a letter's range admits, different for neighbouring letters and for each
+    /// try.
+    fn admissible_number(&self, letter: usize, position: usize, attempt: u32) -> BigRational {
+        let number = small(position, attempt);
+        let Letter::Symbol { symbol, order: 0 } = self.model.letters[letter] else {
+            return number;
+        };
+        self.model.symbols[symbol].range.near(&number, attempt)
     }
 
     /// A point in the printed letters, abbreviations taken as free.
@@ -160,15 +240,41 @@ impl Checker<'_> {
             point[letter] = Some(value);
         }
         self.make_definite(&mut point, &mut shown);
-        let left = self.value_at(&entry.left, &point)?;
-        let right = self.value_at(&entry.right, &point)?;
-        (left != right).then_some(Witness {
+        let left = self.certain_value(&entry.left, &point)?;
+        let right = self.certain_value(&entry.right, &point)?;
+        left.is_apart_from(&right).then_some(Witness {
             point: shown,
             left,
             right,
             place: entry.place,
             indices: entry.indices.clone(),
         })
+    }
+
+    /// The value of an element at a point: a rational number, or numbers that are proved to enclose
+    /// it; none where it has no value there.
+    pub(crate) fn certain_value(
+        &self,
+        f: &RationalFunction,
+        point: &[Option<BigRational>],
+    ) -> Option<PointValue> {
+        if let Some(value) = self.value_at(f, point) {
+            return Some(PointValue::Exact(value));
+        }
+        let table = self.model.functions.as_ref()?;
+        let enclosed = |f: &RationalFunction| match self.value_at(f, point) {
+            Some(value) => Some(PointValue::Exact(value)),
+            None => {
+                let interval = table.enclosure(f, point)?;
+                Some(PointValue::Between(interval.low, interval.high))
+            }
+        };
+        if let Some(real) = enclosed(f) {
+            return Some(real);
+        }
+        let (real, imaginary) = table.real_and_imaginary(f).ok()?;
+        let (real, imaginary) = (enclosed(&real)?, enclosed(&imaginary)?);
+        Some(PointValue::Complex(Box::new([real, imaginary])))
     }
 }
 
@@ -205,12 +311,10 @@ impl Checker<'_> {
 }
 
 impl Refutation {
-    /// The refutation by a failure whose shapes do not fit: there is no residual.
-    pub(crate) fn of_misfit(failure: &Failure) -> Refutation {
-        Refutation {
-            misfit: failure.misfit(),
-            ..Refutation::default()
-        }
+    /// The refutation by a failure whose shapes do not fit, if it is one: there is no residual.
+    pub(crate) fn of_misfit(failure: &Failure) -> Option<Refutation> {
+        let misfit = failure.misfit()?;
+        Some(Refutation::by_structure(Structure::Misfit(misfit)))
     }
 }
 

@@ -80,6 +80,38 @@ impl Range {
         above && below && (self.numbers != Numbers::Integer || number.is_integer())
     }
 
+    /// A number of the range that is near to another: the number itself, its negative on every second
+    /// try, or one between the ends.
+    pub fn near(&self, number: &BigRational, attempt: u32) -> BigRational {
+        let flipped = if attempt % 2 == 0 {
+            -number
+        } else {
+            number.clone()
+        };
+        if self.contains(&flipped) {
+            return flipped;
+        }
+        if self.contains(number) {
+            return number.clone();
+        }
+        let one = BigRational::from_integer(1.into());
+        // Between 0 and 1, increasing with the number.
+        let share = number.abs() / (number.abs() + &one);
+        let between = match (&self.low, &self.high) {
+            (Some(low), Some(high)) => &low.value + (&high.value - &low.value) * share,
+            (Some(low), None) => &low.value + number.abs(),
+            (None, Some(high)) => &high.value - number.abs(),
+            (None, None) => number.clone(),
+        };
+        if self.contains(&between) {
+            return between;
+        }
+        let rounded = [between.floor(), between.ceil(), between.floor() + one];
+        let ends = [&self.low, &self.high].map(|end| end.as_ref().map(|e| e.value.clone()));
+        let mut candidates = rounded.into_iter().chain(ends.into_iter().flatten());
+        candidates.find(|c| self.contains(c)).unwrap_or(between)
+    }
+
     /// Whether every value is greater than zero.
     pub fn is_positive(&self) -> bool {
         self.numbers != Numbers::Complex

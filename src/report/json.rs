@@ -14,7 +14,8 @@ use crate::report::ordered::Ordered;
 use crate::report::reason::{equation_of, preferred_as, reason, where_it_holds};
 use crate::standing::Standing;
 use crate::verdict::{
-    Because, Changed, Correction, Edit, Given, Outcome, Refutation, ResidualEntry, Verdict, Witness,
+    Because, Changed, Correction, Edit, Given, Outcome, PointValue, Refutation, ResidualEntry,
+    Verdict, Witness,
 };
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -341,7 +342,7 @@ impl Writer<'_> {
         let equation = &self.audit.model.equations[outcome.equation];
         let link = &equation.links[outcome.member - 1];
         let (given, refutation, correction) = match &outcome.verdict {
-            Verdict::HoldsGiven(given) => (Some(&**given), None, None),
+            Verdict::HoldsGiven(given, _) => (Some(&**given), None, None),
             Verdict::Misprint {
                 refutation,
                 correction,
@@ -354,8 +355,8 @@ impl Writer<'_> {
             _ => (None, None, None),
         };
         let witness = match &outcome.verdict {
-            Verdict::HoldsGiven(given) => given.counterexample.as_ref(),
-            _ => refutation.and_then(|r| r.witness.as_ref()),
+            Verdict::HoldsGiven(given, _) => given.counterexample.as_ref(),
+            _ => refutation.and_then(Refutation::witness),
         };
         Claim {
             document: self.audit.model.document.name.clone(),
@@ -368,9 +369,9 @@ impl Writer<'_> {
             reason: reason(self.audit, &self.formulas, outcome).to_plain(),
             given: given.map(|g| self.relations(g)),
             implied_by: given.map(|g| g.implied_by.clone()),
-            missing: refutation.and_then(|r| r.missing.clone()),
+            missing: refutation.and_then(|r| r.missing().map(str::to_owned)),
             misfit: refutation.and_then(|r| {
-                r.misfit.as_ref().map(|m| MisfitText {
+                r.misfit().map(|m| MisfitText {
                     operation: m.operation.clone(),
                     left: m.left.clone(),
                     right: m.right.clone(),
@@ -403,7 +404,7 @@ impl Writer<'_> {
                     }),
                 })
                 .collect(),
-            certificate_verified: outcome.certificate.verify(),
+            certificate_verified: outcome.contradiction.is_none(),
             agreement: self.agreement(outcome),
             effect: effect(&self.audit.model, outcome).map(|e| EffectText {
                 ratio: e.ratio().to_string(),
@@ -460,7 +461,7 @@ impl Writer<'_> {
             cofactors,
         };
         match (verdict, refutation) {
-            (Verdict::HoldsGiven(given), _) => Some(
+            (Verdict::HoldsGiven(given, _), _) => Some(
                 given
                     .cofactors
                     .iter()
@@ -492,8 +493,8 @@ impl Writer<'_> {
             ),
             indices: Ordered(witness.indices.clone()),
             entry: witness.place,
-            lhs: witness.left.to_string(),
-            rhs: witness.right.to_string(),
+            lhs: point_value(&witness.left),
+            rhs: point_value(&witness.right),
         }
     }
 
@@ -548,6 +549,17 @@ impl Writer<'_> {
             column: 1 + before[line_start..].chars().count(),
             printed: edit.printed.clone(),
             corrected: edit.corrected.clone(),
+        }
+    }
+}
+
+/// A value at a point: a fraction, or the two between which it lies.
+fn point_value(value: &PointValue) -> String {
+    match value {
+        PointValue::Exact(number) => number.to_string(),
+        PointValue::Between(low, high) => format!("[{low}, {high}]"),
+        PointValue::Complex(parts) => {
+            format!("{} + i*{}", point_value(&parts[0]), point_value(&parts[1]))
         }
     }
 }

@@ -8,8 +8,9 @@ use crate::report::formula::{Formulas, Script};
 use crate::report::prose::Prose;
 use crate::theory::limit::Limit;
 use crate::verdict::{
-    Correction, Edit, Flaw, Given, GivenEntry, Misfit, Outcome, Part, PositiveBy, Positivity,
-    Preferred, Refutation, ResidualEntry, Searched, SignCondition, Verdict, Witness,
+    Correction, CounterProof, Edit, Given, GivenEntry, Misfit, Outcome, Part, PointValue,
+    PositiveBy, Positivity, Preferred, Refutation, ResidualEntry, Searched, Shown, SignCondition,
+    Structure, Verdict, Witness,
 };
 use num_rational::BigRational;
 use ratpoly::RationalFunction;
@@ -125,14 +126,14 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
         return positive(positivity);
     }
     match &outcome.verdict {
-        Verdict::Holds { by } if by.is_empty() => Prose::of(match kind_of(audit, outcome) {
+        Verdict::Holds { by, .. } if by.is_empty() => Prose::of(match kind_of(audit, outcome) {
             Kind::Limit => "the limit is this one",
             Kind::Constant => "its derivative by the time vanishes",
             Kind::Equality => "identity in the printed letters",
             Kind::Other => "true for all values of the letters",
         }),
-        Verdict::Holds { by } => Prose::of(format!("identity with {} inserted", labels(by))),
-        Verdict::HoldsGiven(given) => {
+        Verdict::Holds { by, .. } => Prose::of(format!("identity with {} inserted", labels(by))),
+        Verdict::HoldsGiven(given, _) => {
             let mut line = hypothesis(formulas, given);
             if let Some(entry) = given.cofactors.first() {
                 line = line.words("; ").then(place(&entry.entry));
@@ -168,22 +169,7 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
                 })
         }
         Verdict::Refuted(refutation) => {
-            let mut line = after(audit, outcome).then(missing(refutation));
-            if let Some(entry) = refutation.residual.first() {
-                if !missing(refutation).is_empty() {
-                    line = line.words("; read as zero, ");
-                }
-                line = line.then(place(entry));
-                line = line.then(short(difference(formulas, &entry.difference()), entry));
-            }
-            if let Some(witness) = &refutation.witness {
-                line = line.words("; ").then(values(formulas, witness));
-            }
-            if let Some(part) = &refutation.part {
-                line = line
-                    .words("; it holds ")
-                    .then(where_it_holds(formulas, part));
-            }
+            let line = false_because(audit, formulas, outcome, refutation, usize::MAX);
             match refutation.searched {
                 Some(Searched { budget: 0, .. }) => {
                     line.words("; no correction: the budget is empty")
@@ -197,10 +183,6 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
                 None => line,
             }
         }
-        Verdict::Loose { measure, meaning } => Prose::of(format!("{meaning}: ")).formula(
-            formulas.number(measure, Script::Latex),
-            formulas.number(measure, Script::Plain),
-        ),
         Verdict::Undecided { reason } => Prose::of(reason.clone()),
         Verdict::Definition { what } => {
             let is_solved = audit
@@ -216,6 +198,34 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
         }
         Verdict::Recalled { reason } => Prose::text(reason),
     }
+}
+
+/// Why a link is false, with the point that shows it where that has at most so many letters.
+pub fn false_because(
+    audit: &Audit,
+    formulas: &Formulas,
+    outcome: &Outcome,
+    refutation: &Refutation,
+    most_letters: usize,
+) -> Prose {
+    let mut line = after(audit, outcome).then(missing(refutation));
+    if let Some(entry) = refutation.residual.first() {
+        if !missing(refutation).is_empty() {
+            line = line.words("; read as zero, ");
+        }
+        line = line.then(place(entry));
+        line = line.then(short(difference(formulas, &entry.difference()), entry));
+    }
+    let witness = refutation.witness();
+    if let Some(witness) = witness.filter(|w| w.point.len() <= most_letters) {
+        line = line.words("; ").then(values(formulas, witness));
+    }
+    if let Some(part) = &refutation.part {
+        line = line
+            .words("; it holds ")
+            .then(where_it_holds(formulas, part));
+    }
+    line
 }
 
 /// What a definition defines: a name, or in words what else it says.
@@ -380,7 +390,7 @@ pub fn values(formulas: &Formulas, witness: &Witness) -> Prose {
     );
     let side = |name: &str, value| {
         let name = Prose::new().formula(format!("\\mathrm{{{name}}}"), name);
-        name.words(" = ").then(exact(value))
+        name.words(" = ").then(point_value(value))
     };
     let line = place_of(witness.place, &witness.indices)
         .then(side("lhs", &witness.left))
@@ -390,6 +400,21 @@ pub fn values(formulas: &Formulas, witness: &Witness) -> Prose {
         line
     } else {
         line.words(" at ").then(point)
+    }
+}
+
+/// A value at a point: a fraction, or the digits that are certain.
+fn point_value(value: &PointValue) -> Prose {
+    match value {
+        PointValue::Exact(number) => exact(number),
+        PointValue::Between(low, high) => {
+            let text = PointValue::digits(low, high, 12);
+            Prose::new().formula(text.replace("...", "\\ldots"), text)
+        }
+        PointValue::Complex(parts) => point_value(&parts[0])
+            .words(" + ")
+            .then(point_value(&parts[1]))
+            .formula("\\,\\mathrm{i}", " i"),
     }
 }
 
@@ -419,10 +444,11 @@ pub fn exact(value: &num_rational::BigRational) -> Prose {
 
 /// `H_{0,1} does not exist`, `3x2 * 1x1: these shapes do not fit`, or nothing.
 pub fn missing(refutation: &Refutation) -> Prose {
-    if let Some(flaw) = &refutation.flaw {
-        return flawed(flaw);
+    match refutation.shown() {
+        Shown::Point(_) | Shown::CounterProof(CounterProof::Distribution { .. }) => Prose::new(),
+        Shown::Structure(structure) => misfitting(structure),
+        Shown::CounterProof(proof) => excluded(proof),
     }
-    absent(refutation.missing.as_deref(), refutation.misfit.as_ref())
 }
 
 /// Why there is nothing to compare: a name without a meaning, shapes that do not fit, or neither.
@@ -448,10 +474,13 @@ fn shapes(misfit: &Misfit) -> Prose {
     })
 }
 
-/// What is wrong beside a difference of the sides.
-fn flawed(flaw: &Flaw) -> Prose {
-    match flaw {
-        Flaw::Scope {
+/// What does not fit, whatever the values are.
+fn misfitting(structure: &Structure) -> Prose {
+    match structure {
+        Structure::Missing { name, .. } => absent(Some(name), None),
+        Structure::Misfit(misfit) => shapes(misfit),
+        Structure::Elsewhere => Prose::of("the printed argument is not where the limit is taken"),
+        Structure::Scope {
             argument,
             bound,
             free,
@@ -470,12 +499,18 @@ fn flawed(flaw: &Flaw) -> Prose {
                     " are free"
                 })
         }
-        Flaw::Limit(Limit::Infinite) => Prose::of("it grows beyond every bound"),
-        Flaw::Limit(Limit::MinusInfinite) => Prose::of("it falls below every bound"),
-        Flaw::Limit(Limit::To(value)) if value.is_zero() => Prose::of("it tends to zero"),
-        Flaw::Limit(Limit::To(_)) => Prose::of("it tends to something else"),
-        Flaw::Elsewhere => Prose::of("the printed argument is not where the limit is taken"),
-        Flaw::Unstable { order, determinant } => Prose::of(
+    }
+}
+
+/// What was proved instead.
+fn excluded(proof: &CounterProof) -> Prose {
+    match proof {
+        CounterProof::Limit(Limit::Infinite) => Prose::of("it grows beyond every bound"),
+        CounterProof::Limit(Limit::MinusInfinite) => Prose::of("it falls below every bound"),
+        CounterProof::Limit(Limit::To(value)) if value.is_zero() => Prose::of("it tends to zero"),
+        CounterProof::Limit(Limit::To(_)) => Prose::of("it tends to something else"),
+        CounterProof::Distribution { .. } => Prose::new(),
+        CounterProof::Unstable { order, determinant } => Prose::of(
             "no stationary covariance: the system is not stable, its Hurwitz determinant ",
         )
         .math(format!("H_{order}"))

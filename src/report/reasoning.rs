@@ -13,8 +13,8 @@ use crate::report::reason::{
     missing, place, reason, relations, uniqueness, values, where_it_holds,
 };
 use crate::verdict::{
-    Because, Certificate, Correction, Given, NonVanishing, Outcome, Refutation, Rejected,
-    ResidualEntry, Searched, Verdict,
+    Because, Correction, Given, NonVanishing, Outcome, Proof, Refutation, Rejected, ResidualEntry,
+    Searched, Verdict,
 };
 
 /// Entries of a matrix residual that are written out.
@@ -40,12 +40,12 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
         Verdict::Holds { .. } => {
             let line = reason(audit, formulas, outcome);
             blocks.push(Block::paragraph(
-                sentence(line).then(certificate(&outcome.certificate)),
+                sentence(line).then(multiplied_out(outcome)),
             ));
         }
-        Verdict::HoldsGiven(given) => {
+        Verdict::HoldsGiven(given, _) => {
             given_blocks(formulas, given, &mut blocks);
-            blocks.push(Block::paragraph(certificate(&outcome.certificate)));
+            blocks.push(Block::paragraph(multiplied_out(outcome)));
         }
         Verdict::Misprint {
             refutation,
@@ -54,7 +54,7 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
             refutation_blocks(audit, formulas, outcome, refutation, &mut blocks);
             correction_blocks(audit, formulas, outcome, correction, &mut blocks);
             blocks.extend(effect_block(audit, outcome));
-            blocks.push(Block::paragraph(certificate(&outcome.certificate)));
+            blocks.push(Block::paragraph(multiplied_out(outcome)));
         }
         Verdict::Refuted(refutation) => {
             refutation_blocks(audit, formulas, outcome, refutation, &mut blocks);
@@ -78,10 +78,7 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
                 None => "No correction was looked for.".to_string(),
             })));
         }
-        Verdict::Loose { .. }
-        | Verdict::Undecided { .. }
-        | Verdict::Definition { .. }
-        | Verdict::Recalled { .. } => {
+        Verdict::Undecided { .. } | Verdict::Definition { .. } | Verdict::Recalled { .. } => {
             blocks.push(Block::paragraph(sentence(reason(audit, formulas, outcome))));
         }
     }
@@ -180,7 +177,7 @@ fn refutation_blocks(
         blocks.push(residual(formulas, entry));
     }
     more(refutation.residual.len(), "entries differ", blocks);
-    if let Some(witness) = &refutation.witness {
+    if let Some(witness) = refutation.witness() {
         blocks.push(Block::paragraph(
             Prose::of("An exact point where the sides differ: ")
                 .then(values(formulas, witness))
@@ -330,22 +327,13 @@ fn rank(rejected: &Rejected, correction: &Correction) -> u8 {
     }
 }
 
-/// What proves the verdict, and that it was multiplied out.
-fn certificate(certificate: &Certificate) -> Prose {
-    let entries = certificate.entries.len();
-    if entries == 0 {
-        return Prose::new();
+/// That what proves the verdict was multiplied out.
+fn multiplied_out(outcome: &Outcome) -> Prose {
+    match outcome.verdict.proof().map_or(0, Proof::entries) {
+        0 => Prose::new(),
+        1 => Prose::of("Checked by multiplying out the equation."),
+        entries => Prose::of(format!("Checked by multiplying out all {entries} entries.")),
     }
-    let what = if entries == 1 {
-        "the equation".to_string()
-    } else {
-        format!("all {entries} entries")
-    };
-    Prose::of(if certificate.verify() {
-        format!("Checked by multiplying out {what}.")
-    } else {
-        format!("The certificate for {what} does not verify: this is a fault of the program.")
-    })
 }
 
 /// What must not vanish, by the reason why it does not.

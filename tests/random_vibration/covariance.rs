@@ -6,7 +6,7 @@ use rederive::audit::Audit;
 use rederive::check::Options;
 use rederive::diagnostic::DiagnosticKind;
 use rederive::document::{Document, VerdictWord};
-use rederive::verdict::{Flaw, Verdict};
+use rederive::verdict::{CounterProof, Verdict};
 
 /// An oscillator with a damper of this value, its covariance by this equation, and claims.
 fn document(damper: &str, equation: &str, claims: &str) -> String {
@@ -93,8 +93,8 @@ fn refused(text: &str) -> Vec<DiagnosticKind> {
 fn instability(text: &str) -> (usize, String) {
     let audit = audit(text);
     match &outcome(&audit, "2.1").verdict {
-        Verdict::Refuted(refutation) => match &refutation.flaw {
-            Some(Flaw::Unstable { order, determinant }) => (*order, determinant.clone()),
+        Verdict::Refuted(refutation) => match refutation.counter_proof() {
+            Some(CounterProof::Unstable { order, determinant }) => (*order, determinant.clone()),
             flaw => panic!("{flaw:?}"),
         },
         verdict => panic!("{verdict:?}"),

@@ -53,7 +53,7 @@ fn the_shapes_of_44_are_mended_in_either_reading() {
     else {
         panic!("{:?}", outcome(&other, "vehicle-44.1").verdict);
     };
-    assert!(refutation.misfit.is_some());
+    assert!(refutation.misfit().is_some());
     assert_eq!(correction.edits.len(), 3);
     assert_eq!(transposes(&correction.edits), 3);
 }

@@ -26,8 +26,8 @@ fn misfit(claim: &str) -> (String, String, String) {
     let audit = audit(&document(claim));
     match &outcome(&audit, "2.1").verdict {
         Verdict::Refuted(refutation) | Verdict::Misprint { refutation, .. } => {
-            let misfit = refutation.misfit.clone().expect("shapes do not fit");
-            assert!(refutation.residual.is_empty() && refutation.witness.is_none());
+            let misfit = refutation.misfit().cloned().expect("shapes do not fit");
+            assert!(refutation.residual.is_empty() && refutation.witness().is_none());
             (misfit.operation, misfit.left, misfit.right)
         }
         other => panic!("{claim}: {other:?}"),
@@ -104,7 +104,7 @@ fn a_transposition_that_fits_and_is_wrong_is_refuted_by_its_residual() {
     let Verdict::Misprint { refutation, .. } = &outcome(&audit, "2.1").verdict else {
         panic!("{:?}", outcome(&audit, "2.1").verdict);
     };
-    assert!(refutation.misfit.is_none() && !refutation.residual.is_empty());
+    assert!(refutation.misfit().is_none() && !refutation.residual.is_empty());
 }
 
 #[test]

@@ -168,10 +168,11 @@ impl<'m> Checker<'m> {
                     Some((decision, entries))
                 });
             let proof = match decision {
-                Some((Decision::Holds(by), entries)) => Some(self.certificate(entries, &by, None)),
+                Some((Decision::Holds(by), entries)) => {
+                    self.proved(equation, link, &entries, &by, None)
+                }
                 Some((Decision::HoldsGiven(by, given), _)) => {
-                    let open = given.cofactors.iter().map(|g| g.entry.clone()).collect();
-                    Some(self.certificate(open, &by, Some(&given)))
+                    self.proved(equation, link, &[], &by, Some(&given))
                 }
                 _ => None,
             };
@@ -209,6 +210,7 @@ impl<'m> Checker<'m> {
             changed: vec![Changed::Definition(definition)],
             cost,
             given: None,
+            proof,
             tried,
             budget,
             alternatives,
@@ -216,7 +218,7 @@ impl<'m> Checker<'m> {
             preferred,
             rejected: Vec::new(),
         };
-        Some((correction, proof))
+        Some(correction)
     }
 
     /// Where several claims are false that rest on one definition, a slip there that explains all of
@@ -259,7 +261,7 @@ impl<'m> Checker<'m> {
             self.exact
                 .correct(equation, model.equations[equation].display.clone());
             match self.by_definition(equation, &link, 0, budget, Some(&among)) {
-                Some((correction, proof)) => {
+                Some(correction) => {
                     if let Some((definition, display)) = &correction.definition {
                         self.exact.correct(*definition, display.clone());
                         // It was computed so before the correction was accepted.
@@ -272,13 +274,13 @@ impl<'m> Checker<'m> {
                         continue;
                     };
                     outcome.verdict = Verdict::Misprint {
-                        refutation: crate::verdict::Refutation {
-                            searched: None,
-                            ..refutation.clone()
+                        refutation: {
+                            let mut refutation = refutation.clone();
+                            refutation.searched = None;
+                            refutation
                         },
                         correction: Box::new(correction),
                     };
-                    outcome.certificate = proof;
                 }
                 None => self.exact.correct(equation, own),
             }
@@ -320,11 +322,17 @@ impl<'m> Checker<'m> {
                 let entries = self.sides(*equation, link).unwrap_or_default();
                 match self.decide_true(&entries, *equation) {
                     Ok(Decision::Holds(by)) if !entries.is_empty() => {
-                        outcome.certificate = self.certificate(entries, &by, None);
-                        **correction = Correction {
-                            display: printed,
-                            ..common.clone()
-                        };
+                        let proof = self.proved(*equation, link, &entries, &by, None);
+                        match proof {
+                            Some(proof) => {
+                                **correction = Correction {
+                                    display: printed,
+                                    proof,
+                                    ..common.clone()
+                                };
+                            }
+                            None => self.exact.correct(*equation, own),
+                        }
                     }
                     _ => self.exact.correct(*equation, own),
                 }

@@ -29,7 +29,7 @@ use crate::expr::{Display, ExprKind, Name};
 use crate::latex;
 use crate::model::links::Link;
 use crate::verdict::{
-    Certificate, Changed, Correction, Edit, EditClass, Given, Preferred, Proposal, Searched,
+    Changed, Correction, Edit, EditClass, Given, Preferred, Proof, Proposal, Searched,
 };
 use sites::Trial;
 use std::collections::BTreeSet;
@@ -75,7 +75,7 @@ impl Candidate {
 }
 
 /// A correction with its proof.
-pub(crate) type Found = (Correction, Certificate);
+pub(crate) type Found = Correction;
 
 /// The best correction so far of those that put in units that do not fit, and in how many places they
 /// do not.
@@ -94,7 +94,7 @@ impl Best {
         printed: &Display,
         found: Option<Found>,
     ) -> Option<Found> {
-        let (mut correction, proof) = found?;
+        let mut correction = found?;
         let (left, fits) = checker.fits_units(equation, printed, &correction.display);
         match &self.found {
             Some((_, before)) if left >= *before => None,
@@ -103,9 +103,9 @@ impl Best {
                     correction.preferred = Some(Preferred::Units);
                 }
                 if fits {
-                    return Some((correction, proof));
+                    return Some(correction);
                 }
-                self.found = Some(((correction, proof), left));
+                self.found = Some((correction, left));
                 None
             }
         }
@@ -117,7 +117,7 @@ struct Proved {
     candidate: Candidate,
     display: Display,
     given: Option<Given>,
-    proof: Certificate,
+    proof: Proof,
 }
 
 impl<'m> Checker<'m> {
@@ -183,7 +183,7 @@ impl<'m> Checker<'m> {
         let mut found = self.prove(equation, link, passing.clone(), &singles, &trial);
         // What would have to be evaluated pair by pair is of use only where it costs no more.
         let most = match &found {
-            Some((correction, _))
+            Some(correction)
                 if correction.given.is_none()
                     && self.fits_units(equation, &display, &correction.display).1 =>
             {
@@ -195,7 +195,7 @@ impl<'m> Checker<'m> {
         if !apart.is_empty() {
             passing.extend(apart);
             found = self.prove(equation, link, passing, &singles, &trial);
-        } else if let Some((correction, _)) = &mut found {
+        } else if let Some(correction) = &mut found {
             correction.tried = trial.tried.min(trial.limit);
         }
         if let Some(found) = best.among(self, equation, &display, found) {
@@ -251,13 +251,17 @@ impl<'m> Checker<'m> {
                 Err(_) => continue,
             };
             let (given, proof) = match decision {
-                Ok((Decision::Holds(by), entries)) => (None, self.certificate(entries, &by, None)),
+                Ok((Decision::Holds(by), entries)) => {
+                    (None, self.proved(equation, link, &entries, &by, None))
+                }
                 Ok((Decision::HoldsGiven(by, given), _)) => {
-                    let open = given.cofactors.iter().map(|g| g.entry.clone()).collect();
-                    let proof = self.certificate(open, &by, Some(&given));
+                    let proof = self.proved(equation, link, &[], &by, Some(&given));
                     (Some(given), proof)
                 }
                 _ => continue,
+            };
+            let Some(proof) = proof else {
+                continue;
             };
             proved.push(Proved {
                 candidate,
@@ -315,6 +319,7 @@ impl<'m> Checker<'m> {
             changed,
             cost: first.candidate.cost,
             given: first.given,
+            proof: first.proof,
             tried: trial.tried.min(trial.limit),
             budget: trial.limit,
             alternatives,
@@ -322,7 +327,7 @@ impl<'m> Checker<'m> {
             preferred,
             rejected,
         };
-        Some((correction, first.proof))
+        Some(correction)
     }
 }
 

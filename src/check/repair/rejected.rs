@@ -8,7 +8,7 @@ use crate::evaluate::{FailureKind, Value};
 use crate::expr::Display;
 use crate::model::links::Link;
 use crate::span::Span;
-use crate::verdict::{Edit, Rejected, Witness};
+use crate::verdict::{Edit, PointValue, Rejected, Witness};
 use num_rational::BigRational;
 
 /// How many readings of the same places are reported as rejected.
@@ -103,8 +103,8 @@ impl Checker<'_> {
                             let (place, left, right) = first_difference(&left, &right)?;
                             Some(Witness {
                                 point: shown.clone(),
-                                left,
-                                right,
+                                left: PointValue::Exact(left),
+                                right: PointValue::Exact(right),
                                 place,
                                 indices,
                             })

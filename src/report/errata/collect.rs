@@ -11,13 +11,13 @@ use crate::report::algebraic::{equals, shown};
 use crate::report::formula::Formulas;
 use crate::report::prose::Prose;
 use crate::report::reason::{
-    bare_reason, classes, edits, equation_of, is_long, labels, number_of, place_of, relations,
+    classes, edits, equation_of, false_because, is_long, labels, number_of, place_of, relations,
     uniqueness,
 };
 use crate::report::statement;
 use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::{Fact, Loose, Scope, StatementOutcome};
-use crate::verdict::{Changed, Correction, Outcome, Refutation, Verdict};
+use crate::verdict::{Changed, Correction, Outcome, Shown, Verdict};
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -167,7 +167,7 @@ impl Collector<'_> {
                 }
             }
             for outcome in outcomes {
-                if let Verdict::HoldsGiven(given) = &outcome.verdict {
+                if let Verdict::HoldsGiven(given, _) = &outcome.verdict {
                     let mut line = relations(&self.formulas, given);
                     if !given.implied_by.is_empty() {
                         let by = labels(&given.implied_by);
@@ -432,29 +432,17 @@ impl Collector<'_> {
         else {
             return None;
         };
-        let mut shorter: Refutation = refutation.clone();
-        shorter.witness = shorter.witness.filter(|w| w.point.len() <= WITNESS);
         // Only the first entry's difference would be shown.
-        let differs_only = matches!(
-            shorter,
-            Refutation {
-                flaw: None,
-                missing: None,
-                misfit: None,
-                witness: None,
-                part: None,
-                ..
-            }
-        );
-        let first = shorter.residual.first();
-        if differs_only && first.is_some_and(|e| is_long(&self.formulas, e)) {
+        let shown = match refutation.shown() {
+            Shown::Point(witness) => witness.point.len() <= WITNESS,
+            Shown::Structure(_) | Shown::CounterProof(_) => true,
+        };
+        let first = refutation.residual.first();
+        let long = first.is_some_and(|e| is_long(&self.formulas, e));
+        if !shown && refutation.part.is_none() && long {
             return None;
         }
-        let refuted = Outcome {
-            verdict: Verdict::Refuted(shorter),
-            ..outcome.clone()
-        };
-        let reason = bare_reason(self.audit, &self.formulas, &refuted);
+        let reason = false_because(self.audit, &self.formulas, outcome, refutation, WITNESS);
         (!reason.is_empty()).then_some(reason)
     }
 }

@@ -77,7 +77,7 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
 /// Whether the verdict needs no words beyond its own.
 fn is_plain(audit: &Audit, outcome: &Outcome) -> bool {
     match &outcome.verdict {
-        Verdict::Holds { by } => {
+        Verdict::Holds { by, .. } => {
             by.is_empty()
                 && outcome.positivity.is_none()
                 && outcome.assumed.is_empty()

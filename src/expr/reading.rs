@@ -1,9 +1,8 @@
-//! The syntax tree as a compact S-expression, for comparison in tests.
+//! The syntax tree as a compact S-expression: how something printed was read, as text that a
+//! certificate can carry and a test can compare.
 
-use rederive::expr::{
-    Bracket, Chain, Display, Expr, ExprKind, Function, QuotientStyle, Relation, Sign,
-};
-use rederive::latex::canonical;
+use super::{Bracket, Chain, Display, Expr, ExprKind, Function, QuotientStyle, Relation, Sign};
+use crate::latex::canonical;
 
 /// One line for each clause, and the equation number on a line of its own.
 pub fn display(display: &Display) -> String {
@@ -36,20 +35,24 @@ pub fn display(display: &Display) -> String {
 pub fn chain(chain: &Chain) -> String {
     let mut text = expr(&chain.members[0]);
     for (relation, member) in chain.relations.iter().zip(&chain.members[1..]) {
-        let sign = match relation {
-            Relation::Equal => "=",
-            Relation::NotEqual => "!=",
-            Relation::Less => "<",
-            Relation::LessEqual => "<=",
-            Relation::Greater => ">",
-            Relation::GreaterEqual => ">=",
-            Relation::Distributed => "~",
-            Relation::Approximately => "~=",
-            Relation::Tends => "->",
-        };
-        text += &format!(" {sign} {}", expr(member));
+        text += &format!(" {} {}", self::relation(*relation), expr(member));
     }
     text
+}
+
+/// The sign of a relation.
+pub fn relation(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Equal => "=",
+        Relation::NotEqual => "!=",
+        Relation::Less => "<",
+        Relation::LessEqual => "<=",
+        Relation::Greater => ">",
+        Relation::GreaterEqual => ">=",
+        Relation::Distributed => "~",
+        Relation::Approximately => "~=",
+        Relation::Tends => "->",
+    }
 }
 
 fn list(head: &str, items: &[&Expr]) -> String {
