@@ -147,7 +147,11 @@ impl Checker<'_> {
     /// A small number that a letter's range admits, different for neighbouring letters and for each
     /// try.
     fn admissible_number(&self, letter: usize, position: usize, attempt: u32) -> BigRational {
-        let number = small(position, attempt);
+        // Fractions too, each letter on its own tries.
+        let number = match (attempt >> (1 + position % 3)) % 2 {
+            0 => small(position, attempt),
+            _ => small(position, attempt + 1).recip(),
+        };
         let Letter::Symbol { symbol, order: 0 } = self.model.letters[letter] else {
             return number;
         };
