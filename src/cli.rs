@@ -9,6 +9,7 @@ use crate::methods::Methods;
 use crate::mutation::{self, Mutation};
 use crate::paper::papers;
 use crate::progress::{INTERRUPTED_CODE, Terminal, Watch};
+use crate::report::difference::{self, Recorded};
 use crate::report::mutation as mutation_report;
 use crate::report::output::{self, Pdf};
 use crate::report::terminal::{self, Style};
@@ -25,8 +26,9 @@ use std::process::ExitCode;
 ///
 /// Exit code: 0 all verdicts are as expected; 1 a verdict differs from the recorded one, or a slip
 /// is not recorded; 2 something is undecided or a numbered equation has no verdict; 3 a document
-/// cannot be read; 4 the exact and the floating-point route contradict each other; 130 interrupted
-/// by Ctrl-C, and what was finished is printed.
+/// cannot be read; 4 the program contradicts itself (a certificate that does not verify, or certified
+/// enclosures that are apart where it proved equality); 130 interrupted by Ctrl-C, and what was
+/// finished is printed. Of several, the first in the order 130, 4, 3, 1, 2.
 #[derive(Debug, Parser)]
 #[command(name = "rederive", version, args_conflicts_with_subcommands = true)]
 struct Arguments {
@@ -51,6 +53,10 @@ enum Commands {
     /// Exit code: 0 every mutant was refuted, is equivalent or is undecided; 1 one has survived, or
     /// was refuted although it is equivalent; 3 a document cannot be checked; 130 interrupted.
     Mutate(MutateArguments),
+    /// List the verdicts that differ between two runs' JSON.
+    ///
+    /// Exit code: 0 none differs; 1 some do; 3 a file cannot be read.
+    Diff(DiffArguments),
     /// Write the figures only: an SVG for each, and its numbers as CSV.
     Figures(Figures),
 }
@@ -87,6 +93,14 @@ struct MethodsArguments {
     /// Measure times too, as ratios; they are not the same twice.
     #[arg(long)]
     time: bool,
+}
+
+#[derive(Debug, Args)]
+struct DiffArguments {
+    /// What `rederive check --json` printed before.
+    old: PathBuf,
+    /// What it prints now.
+    new: PathBuf,
 }
 
 #[derive(Debug, Args)]
@@ -161,6 +175,7 @@ pub fn main() -> ExitCode {
     let result = with_deep_stack(|| match arguments.command {
         Some(Commands::Explain(arguments)) => explain(&arguments, &watch),
         Some(Commands::Errata(arguments)) => errata(&arguments, &watch),
+        Some(Commands::Diff(arguments)) => diff(&arguments),
         Some(Commands::Figures(arguments)) => figures(&arguments, &watch),
         Some(Commands::Methods(arguments)) => methods(&arguments, &watch),
         Some(Commands::Mutate(arguments)) => mutate(&arguments, &watch),
@@ -386,6 +401,22 @@ fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
     }
     out.flush()?;
     Ok(if rejected > 0 { 3 } else { 0 })
+}
+
+fn diff(arguments: &DiffArguments) -> io::Result<u8> {
+    let read = |path: &Path| {
+        let text = std::fs::read_to_string(path);
+        text.map_err(|e| e.to_string())
+            .and_then(|text| Recorded::read(&text))
+            .map_err(|why| io::Error::other(format!("{}: {why}", path.display())))
+    };
+    let changes = difference::changes(&read(&arguments.old)?, &read(&arguments.new)?);
+    let mut out = io::stdout().lock();
+    for change in &changes {
+        writeln!(out, "{change}")?;
+    }
+    out.flush()?;
+    Ok(u8::from(!changes.is_empty()))
 }
 
 fn figures(arguments: &Figures, watch: &Terminal) -> io::Result<u8> {

@@ -77,12 +77,22 @@ fn standing(word: VerdictWord, recorded: Option<VerdictWord>) -> Standing {
     if word == VerdictWord::Undecided {
         return Standing::Undecided;
     }
-    let expected = match recorded {
-        Some(recorded) => recorded == word,
-        None => !matches!(
-            word,
-            VerdictWord::Misprint | VerdictWord::Refuted | VerdictWord::Loose
-        ),
+    let expected = match (recorded, word) {
+        (Some(recorded), word) => recorded == word,
+        (
+            None,
+            VerdictWord::Holds
+            | VerdictWord::HoldsGiven
+            | VerdictWord::Definition
+            | VerdictWord::Recalled,
+        ) => true,
+        (
+            None,
+            VerdictWord::Misprint
+            | VerdictWord::Refuted
+            | VerdictWord::Loose
+            | VerdictWord::Undecided,
+        ) => false,
     };
     if expected {
         Standing::AsExpected
@@ -91,42 +101,81 @@ fn standing(word: VerdictWord, recorded: Option<VerdictWord>) -> Standing {
     }
 }
 
-/// The exit code of a run: 0 all as expected, 1 a verdict differs, 2 something is undecided or a
-/// numbered equation has no verdict or a numbered figure is not drawn, 3 a document could not be
-/// read, 4 the exact and the floating-point route contradict each other. Of several, the largest.
+/// What a run found that its caller must know, the gravest last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Gravity {
+    /// All is as expected.
+    AsExpected,
+    /// Something is undecided, or a numbered equation has no verdict, or a figure is not drawn.
+    Undecided,
+    /// A verdict differs from the recorded one, or a slip is not recorded.
+    Differs,
+    /// A document could not be read.
+    BadInput,
+    /// What was proved is contradicted: by a certificate that does not verify, or by certified
+    /// enclosures at a point.
+    Contradiction,
+}
+
+impl Gravity {
+    /// The exit code of the process: of several findings, that of the gravest, so that a difference
+    /// is not hidden by something undecided.
+    pub fn exit_code(self) -> u8 {
+        match self {
+            Gravity::AsExpected => 0,
+            Gravity::Differs => 1,
+            Gravity::Undecided => 2,
+            Gravity::BadInput => 3,
+            Gravity::Contradiction => 4,
+        }
+    }
+}
+
+/// The exit code of a run, in which so many documents could not be read.
 pub fn exit_code(inspections: &[Inspection], rejected: usize) -> u8 {
-    let mut code = if rejected > 0 { 3 } else { 0 };
-    for Inspection { audit, comparison } in inspections {
-        if comparison
-            .as_ref()
-            .is_some_and(|c| !c.conflicts().is_empty())
-        {
-            code = 4;
-        }
-        let links = audit.outcomes.iter().map(|o| audit.standing(o));
-        let statements = audit.statements.iter();
-        let statements = statements.map(|o| audit.standing_of_statement(o));
-        for standing in links.chain(statements) {
-            code = code.max(match standing {
-                Standing::AsExpected => 0,
-                Standing::Differs => 1,
-                Standing::Undecided => 2,
-            });
-        }
-        let coverage = audit.coverage();
-        if coverage.covered() < coverage.announced.len() {
-            code = code.max(2);
-        }
-        if !audit.figure_coverage().absent.is_empty() {
-            code = code.max(2);
-        }
-        if audit.figures.iter().any(Figure::contradicts) {
-            code = code.max(1);
-        }
-    }
-    let whole = |paper: &Paper| paper.covered() == paper.announced.len();
-    if !papers(inspections).iter().all(whole) {
-        code = code.max(2);
-    }
-    code
+    let read = match rejected {
+        0 => Gravity::AsExpected,
+        _ => Gravity::BadInput,
+    };
+    let of_documents = inspections.iter().map(|i| gravity(&i.audit));
+    let whole = papers(inspections)
+        .iter()
+        .all(|paper: &Paper| paper.covered() == paper.announced.len());
+    let covered = match whole {
+        true => Gravity::AsExpected,
+        false => Gravity::Undecided,
+    };
+    let gravest = of_documents.chain([read, covered]).max();
+    gravest.map_or(0, Gravity::exit_code)
+}
+
+/// The gravest finding in a document.
+fn gravity(audit: &Audit) -> Gravity {
+    let contradicted = audit.outcomes.iter().any(|o| o.contradiction.is_some());
+    let links = audit.outcomes.iter().map(|o| audit.standing(o));
+    let statements = audit.statements.iter();
+    let statements = statements.map(|o| audit.standing_of_statement(o));
+    let standings = links.chain(statements).map(|standing| match standing {
+        Standing::AsExpected => Gravity::AsExpected,
+        Standing::Differs => Gravity::Differs,
+        Standing::Undecided => Gravity::Undecided,
+    });
+    let coverage = audit.coverage();
+    let more = [
+        (contradicted, Gravity::Contradiction),
+        (
+            coverage.covered() < coverage.announced.len(),
+            Gravity::Undecided,
+        ),
+        (
+            !audit.figure_coverage().absent.is_empty(),
+            Gravity::Undecided,
+        ),
+        (
+            audit.figures.iter().any(Figure::contradicts),
+            Gravity::Differs,
+        ),
+    ];
+    let more = more.into_iter().filter(|(met, _)| *met).map(|(_, g)| g);
+    standings.chain(more).max().unwrap_or(Gravity::AsExpected)
 }

@@ -9,6 +9,7 @@ use crate::comparison::{Comparison, Subject};
 use crate::inspection::Inspection;
 use crate::latex;
 use crate::paper::papers;
+use crate::report::difference::SCHEMA_VERSION;
 use crate::report::formula::{Formulas, Script};
 use crate::report::ordered::Ordered;
 use crate::report::reason::{equation_of, preferred_as, reason, where_it_holds};
@@ -24,6 +25,8 @@ use statement::Statement;
 /// The whole object.
 #[derive(Debug, Serialize)]
 pub struct Verdicts {
+    /// The version of this object's shape: it grows when a key goes or changes its meaning.
+    schema_version: u32,
     software: Software,
     coverage: Coverage,
     documents: Vec<Document>,
@@ -249,6 +252,7 @@ struct UnitText {
 /// The verdicts on some documents.
 pub fn verdicts(inspections: &[Inspection]) -> Verdicts {
     let mut verdicts = Verdicts {
+        schema_version: SCHEMA_VERSION,
         software: Software::this(),
         coverage: Coverage {
             numbered: 0,

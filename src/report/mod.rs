@@ -7,6 +7,7 @@
 pub mod algebraic;
 pub mod csv;
 pub mod decimal;
+pub mod difference;
 pub mod drawing;
 pub mod errata;
 pub mod explain;

@@ -4,10 +4,11 @@ use crate::audit::Audit;
 use crate::document::VerdictWord;
 use crate::inspection::Inspection;
 use crate::report::formula::Formulas;
+use crate::report::reason::number_of;
 use crate::report::rows::rows;
 use crate::standing::Standing;
 use crate::unit::UnitFinding;
-use crate::verdict::Outcome;
+use crate::verdict::{Contradiction, Outcome};
 use comfy_table::{Cell, Color, ColumnConstraint, ContentArrangement, Table, Width, presets};
 
 /// How the table looks.
@@ -65,7 +66,8 @@ pub fn table(inspection: &Inspection, style: Style) -> String {
         coverage(audit),
         lines.join("\n")
     );
-    for line in units(audit).into_iter().chain(floating_point(inspection)) {
+    let lines = units(audit).into_iter().chain(floating_point(inspection));
+    for line in lines.chain(contradictions(audit)) {
         out += &format!("\n {line}");
     }
     if out.ends_with('\n') { out } else { out + "\n" }
@@ -197,12 +199,32 @@ fn floating_point(inspection: &Inspection) -> Vec<String> {
     }
     for subject in comparison.conflicts() {
         lines.push(format!(
-            "CONFLICT: exact and floating-point value of {} contradict each other; this is a \
-             fault of the program",
+            "floating point: {} is not confirmed: rounding leaves no digit of it at the first point \
+             (inconclusive; no verdict rests on it)",
             inspection.subject(subject)
         ));
     }
     lines
+}
+
+/// Where the program contradicts itself.
+fn contradictions(audit: &Audit) -> Vec<String> {
+    audit
+        .outcomes
+        .iter()
+        .filter_map(|outcome| {
+            let what = match outcome.contradiction.as_ref()? {
+                Contradiction::Certificate => "a certificate does not verify",
+                Contradiction::Challenge(_) => {
+                    "what was proved equal is apart at a point, by certified enclosures"
+                }
+            };
+            Some(format!(
+                "CONTRADICTION in ({}): {what}; this is a fault of the program, please report it",
+                number_of(audit, outcome)
+            ))
+        })
+        .collect()
 }
 
 /// How many links have which verdict: `41 hold, ...`, in the order of the table of verdicts.
