@@ -44,6 +44,7 @@ pub mod mutation;
 pub mod numeric;
 pub mod paper;
 pub mod progress;
+pub mod real;
 pub mod report;
 pub mod span;
 mod stack;
