@@ -29,6 +29,7 @@ pub mod diagnostic;
 pub mod document;
 pub mod domain;
 pub mod embedded;
+pub mod enclose;
 pub mod evaluate;
 pub mod expr;
 pub mod figure;
