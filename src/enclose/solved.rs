@@ -1,0 +1,530 @@
+//! Points on which equations between letters are true: a letter of each equation is determined by the
+//! others.
+//!
+//! Where the equation is linear in a letter its root is rational and the equation is verified to be
+//! exactly true there. Otherwise a root is shown to exist by the intermediate value theorem, between
+//! two numbers where the difference has opposite signs and over which it has values, and enclosed by
+//! bisection and Newton's method for intervals (Moore, *Interval Analysis*, 1966, chapter 7). An equation
+//! that processes take part in is true at all times: it is solved for the highest derivative of one,
+//! and its time derivatives for the higher ones.
+
+use super::apply::Truth;
+use super::elimination::definite;
+use super::evaluator::Evaluator;
+use super::failure::{NoValue, Reason};
+use super::jet::Jet;
+use super::point::Point;
+use super::value::Value;
+use super::world::World;
+use crate::model::range::{Numbers, Range};
+use crate::model::{Hypothesis, Node};
+use crate::real::dyadic::{Dyadic, Rounding};
+use crate::real::{Complex, Interval, Real};
+use crate::span::Span;
+use num_rational::BigRational;
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
+
+/// A symbol or its derivative of an order.
+type Letter = (usize, u8);
+
+/// Digits of roots, and the work of one evaluation.
+const BITS: u32 = 192;
+const WORK: u64 = 100_000;
+/// How many evaluations a point may take.
+const MOST_EVALUATIONS: usize = 1_500;
+/// How many further derivatives of a process follow from an equation.
+const FURTHER: u8 = 3;
+/// Numbers between which roots are sought: numerators and denominators.
+const PROBES: [(i64, i64); 21] = [
+    (-1000, 1),
+    (-100, 1),
+    (-20, 1),
+    (-6, 1),
+    (-3, 1),
+    (-2, 1),
+    (-1, 1),
+    (-1, 2),
+    (-1, 10),
+    (-1, 100),
+    (0, 1),
+    (1, 100),
+    (1, 10),
+    (1, 2),
+    (1, 1),
+    (2, 1),
+    (3, 1),
+    (6, 1),
+    (20, 1),
+    (100, 1),
+    (1000, 1),
+];
+
+/// One scalar equation: a hypothesis and an entry of it.
+#[derive(Clone, Copy)]
+struct Equation<'h> {
+    hypothesis: &'h Hypothesis,
+    entry: usize,
+}
+
+/// The search for one point.
+pub(super) struct Solver<'w, 'm> {
+    world: &'w World<'m>,
+    ranges: &'w [Range],
+    evaluations: usize,
+    failure: Option<NoValue>,
+}
+
+/// The difference of an equation's sides at a point, with its slope by a letter.
+struct Difference {
+    value: Jet,
+    slope: Jet,
+    used: BTreeSet<Letter>,
+}
+
+impl<'w, 'm> Solver<'w, 'm> {
+    pub fn new(world: &'w World<'m>, ranges: &'w [Range]) -> Self {
+        Solver {
+            world,
+            ranges,
+            evaluations: 0,
+            failure: None,
+        }
+    }
+
+    /// Why nothing was found, where it was for want of a value.
+    pub fn failure(self) -> Option<NoValue> {
+        self.failure
+    }
+
+    /// The point with letters determined so that these equations are true; none where that was not
+    /// found.
+    pub fn solve(&mut self, point: Point, hypotheses: &[&Hypothesis]) -> Option<Point> {
+        let mut equations = Vec::new();
+        for hypothesis in hypotheses {
+            let entries = self.entries(&point, hypothesis)?;
+            equations.extend((0..entries).map(|entry| Equation { hypothesis, entry }));
+        }
+        let solved = self.all(point, &equations, &BTreeSet::new())?;
+        self.definite_stay_definite(&solved).then_some(solved)
+    }
+
+    /// How many scalar equations a hypothesis is.
+    fn entries(&mut self, point: &Point, hypothesis: &Hypothesis) -> Option<usize> {
+        let value = self.evaluate(point, |e| e.difference(hypothesis))?;
+        Some(value.entries().len())
+    }
+
+    fn evaluate<T>(
+        &mut self,
+        point: &Point,
+        body: impl FnOnce(&mut Evaluator<'_, 'm>) -> Result<T, NoValue>,
+    ) -> Option<T> {
+        self.evaluations += 1;
+        if self.evaluations > MOST_EVALUATIONS {
+            self.failure = Some(Reason::Budget("evaluations").at(Span::default()));
+            return None;
+        }
+        let mut evaluator = Evaluator::new(self.world, point, BITS, WORK);
+        body(&mut evaluator)
+            .map_err(|none| {
+                self.failure.get_or_insert(none);
+            })
+            .ok()
+    }
+
+    /// The difference of the sides of an equation, differentiated so often by time.
+    fn at(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        rate: u8,
+        by: Letter,
+    ) -> Option<Difference> {
+        let entry = equation.entry;
+        let span = equation.hypothesis.span;
+        self.evaluate(point, |e| {
+            let variable = e.arithmetic.open(1);
+            let kind = super::letters::LayerKind::Shifted {
+                symbol: by.0,
+                order: by.1,
+                variable,
+            };
+            let value = e.with_layer(kind, |e| e.rate_of_difference(equation.hypothesis, rate));
+            e.arithmetic.close();
+            let value = value?;
+            let whole = value.entries().get(entry).map(|x| (*x).clone());
+            let whole = whole
+                .ok_or_else(|| Reason::Unsupported("an equation of another shape").at(span))?;
+            Ok(Difference {
+                value: whole.coefficient(variable, 0),
+                slope: whole.coefficient(variable, 1),
+                used: e.used.keys().copied().collect(),
+            })
+        })
+    }
+
+    /// The same without a slope: what letters take part.
+    fn plain(&mut self, point: &Point, equation: Equation<'_>) -> Option<(Jet, BTreeSet<Letter>)> {
+        let entry = equation.entry;
+        self.evaluate(point, |e| {
+            let value = e.difference(equation.hypothesis)?;
+            let whole = value.entries().get(entry).map(|x| (*x).clone());
+            let whole = whole.unwrap_or_else(Jet::zero);
+            Ok((whole, e.used.keys().copied().collect()))
+        })
+    }
+
+    /// Solves the equations one after the other; `locked` are the letters of those that are true.
+    fn all(
+        &mut self,
+        point: Point,
+        equations: &[Equation<'_>],
+        locked: &BTreeSet<Letter>,
+    ) -> Option<Point> {
+        let Some((equation, rest)) = equations.split_first() else {
+            return Some(point);
+        };
+        let (value, used) = self.plain(&point, *equation)?;
+        let model = self.world.model();
+        let processes = |l: &&Letter| model.symbols[l.0].function_of.is_some();
+        let moving = used.iter().any(|l| processes(&l));
+        if value.is_zero() && !moving {
+            let mut locked = locked.clone();
+            locked.extend(&used);
+            return self.all(point, rest, &locked);
+        }
+        // What the other equations do not need is solved for first, and of a process its highest
+        // derivative.
+        let mut elsewhere = BTreeSet::new();
+        for other in rest {
+            elsewhere.extend(self.plain(&point, *other)?.1);
+        }
+        let highest = |l: &&Letter| !used.iter().any(|o| o.0 == l.0 && o.1 > l.1);
+        let mut candidates: Vec<Letter> = used
+            .iter()
+            .filter(|l| !locked.contains(l) && !point.is_fixed(l.0, l.1))
+            .filter(|l| !moving || processes(l) && highest(l))
+            .copied()
+            .collect();
+        candidates.sort_by_key(|l| (elsewhere.contains(l), std::cmp::Reverse(l.1), l.0));
+        for linear in [true, false] {
+            for letter in &candidates {
+                let Some(solved) = self.solved_for(&point, *equation, *letter, linear) else {
+                    continue;
+                };
+                let mut locked = locked.clone();
+                locked.extend(&used);
+                let solved = match moving {
+                    true => self.further(solved, *equation, *letter),
+                    false => Some(solved),
+                };
+                if let Some(found) = solved.and_then(|p| self.all(p, rest, &locked)) {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    /// The point where an equation is true because of a letter's value.
+    fn solved_for(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+        linear: bool,
+    ) -> Option<Point> {
+        if linear {
+            let root = self.linear_root(point, equation, letter)?;
+            let solved = point.clone().with(letter.0, letter.1, root);
+            let (value, _) = self.plain(&solved, equation)?;
+            return value.is_zero().then_some(solved);
+        }
+        let root = self.real_root(point, equation, letter)?;
+        let value = Real::Enclosed(root).into();
+        Some(point.clone().with(letter.0, letter.1, value))
+    }
+
+    /// The root of the tangent, where it is admissible.
+    fn linear_root(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+    ) -> Option<Complex> {
+        let model = self.world.model();
+        let here = point.value(model, letter.0, letter.1, BITS)?;
+        let difference = self.at(point, equation, 0, letter)?;
+        let (value, slope) = (difference.value.as_number()?, difference.slope.as_number()?);
+        let step = value.divide(slope, BITS)?;
+        let root = here.subtract(&step, BITS);
+        let exact = root.re.exact().is_some() && root.im.exact().is_some();
+        (exact && self.admits(letter, &root)).then_some(root)
+    }
+
+    fn admits(&self, (symbol, order): Letter, value: &Complex) -> bool {
+        if order > 0 {
+            return value.is_real();
+        }
+        let range = &self.ranges[symbol];
+        match range.numbers {
+            Numbers::Complex => true,
+            Numbers::Real | Numbers::Integer => {
+                value.is_real() && value.re.exact().is_none_or(|x| range.contains(x))
+            }
+        }
+    }
+
+    /// The higher derivatives of a process that follow from an equation.
+    fn further(&mut self, point: Point, equation: Equation<'_>, letter: Letter) -> Option<Point> {
+        let model = self.world.model();
+        let mut point = point;
+        for rate in 1..=FURTHER {
+            let higher = (letter.0, letter.1 + rate);
+            let here = point.value(model, higher.0, higher.1, BITS)?;
+            let difference = self.at(&point, equation, rate, higher)?;
+            if !difference.used.contains(&higher) {
+                return None;
+            }
+            // The highest derivative takes part linearly.
+            let (value, slope) = (difference.value.as_number()?, difference.slope.as_number()?);
+            let root = here.subtract(&value.divide(slope, BITS)?, BITS);
+            if !root.is_real() {
+                return None;
+            }
+            point = point.with(higher.0, higher.1, root);
+        }
+        Some(point.up_to(letter.0, letter.1 + FURTHER))
+    }
+
+    /// The sign of an equation's difference where a letter has this value.
+    fn sign_at(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+        x: &Dyadic,
+    ) -> Option<Ordering> {
+        let value = Real::Enclosed(Interval::point(x.clone())).into();
+        let (value, _) = self.plain(&point.clone().with(letter.0, letter.1, value), equation)?;
+        let number = value.as_number()?;
+        if !number.is_real() {
+            return None;
+        }
+        number.re.sign()
+    }
+
+    /// A root by a change of sign.
+    fn real_root(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+    ) -> Option<Interval> {
+        let free = Range::default();
+        let range = if letter.1 == 0 {
+            &self.ranges[letter.0]
+        } else {
+            &free
+        };
+        if range.numbers != Numbers::Real {
+            return None;
+        }
+        let probes = probes(range);
+        let mut before: Option<(Dyadic, Ordering)> = None;
+        for x in probes {
+            let Some(sign) = self.sign_at(point, equation, letter, &x) else {
+                before = None;
+                continue;
+            };
+            if sign == Ordering::Equal {
+                return Some(Interval::point(x));
+            }
+            if let Some((left, other)) = &before
+                && *other != sign
+                && let Some(root) =
+                    self.enclosed_root(point, equation, letter, [left.clone(), x.clone()], *other)
+            {
+                return Some(root);
+            }
+            before = Some((x, sign));
+        }
+        None
+    }
+
+    /// A root between two numbers, at the first of which the difference has a sign.
+    fn enclosed_root(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+        ends: [Dyadic; 2],
+        sign: Ordering,
+    ) -> Option<Interval> {
+        let [mut low, mut high] = ends;
+        let mut shown = false;
+        for round in 0..2 * BITS {
+            let interval = Interval::between(low.clone(), high.clone());
+            if interval.is_narrow(i64::from(BITS) - 24) && shown {
+                return Some(interval);
+            }
+            let over =
+                point
+                    .clone()
+                    .with(letter.0, letter.1, Real::Enclosed(interval.clone()).into());
+            // A difference with values on all of the interval is continuous there.
+            let difference = if round >= 4 || shown {
+                self.at(&over, equation, 0, letter)
+            } else {
+                None
+            };
+            let mut middle = interval.middle(BITS + 8);
+            if let Some(difference) = difference {
+                let real = difference.value.as_number().is_some_and(Complex::is_real);
+                shown |= real;
+                let slope = difference.slope.as_number().filter(|s| s.is_real());
+                if real && let Some(slope) = slope {
+                    match self.newton(point, equation, letter, &interval, &middle, &slope.re) {
+                        Some(narrower) if narrower.width() <= interval.width().scaled(-1) => {
+                            // Its ends need not have signs, but the root is within.
+                            if narrower.is_narrow(i64::from(BITS) - 24)
+                                || narrower.single().is_some()
+                            {
+                                return Some(narrower);
+                            }
+                            return self.refined(point, equation, letter, narrower);
+                        }
+                        Some(narrower) => middle = narrower.middle(BITS + 8),
+                        None => {}
+                    }
+                }
+            }
+            if middle <= low || middle >= high {
+                return shown.then_some(interval);
+            }
+            match self.sign_at(point, equation, letter, &middle) {
+                Some(Ordering::Equal) => return Some(Interval::point(middle)),
+                Some(s) if s == sign => low = middle,
+                Some(_) => high = middle,
+                None => return shown.then_some(interval),
+            }
+        }
+        None
+    }
+
+    /// The numbers of an interval that Newton's method leaves: `m - f(m) / f'(X)`.
+    fn newton(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+        interval: &Interval,
+        middle: &Dyadic,
+        slope: &Real,
+    ) -> Option<Interval> {
+        let slope = slope.interval(BITS + 8);
+        if slope.contains_zero() {
+            return None;
+        }
+        let value = Real::Enclosed(Interval::point(middle.clone())).into();
+        let (value, _) = self.plain(&point.clone().with(letter.0, letter.1, value), equation)?;
+        let number = value.as_number().filter(|z| z.is_real())?;
+        let step = number.re.interval(BITS + 8).divide(&slope, BITS + 8)?;
+        let moved = Interval::point(middle.clone()).subtract(&step, BITS + 8);
+        moved.intersection(interval)
+    }
+
+    /// An interval that holds a root, narrowed by Newton's method as long as it helps.
+    fn refined(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+        letter: Letter,
+        mut interval: Interval,
+    ) -> Option<Interval> {
+        for _ in 0..40 {
+            if interval.is_narrow(i64::from(BITS) - 24) {
+                break;
+            }
+            let over =
+                point
+                    .clone()
+                    .with(letter.0, letter.1, Real::Enclosed(interval.clone()).into());
+            let Some(difference) = self.at(&over, equation, 0, letter) else {
+                break;
+            };
+            let Some(slope) = difference.slope.as_number().filter(|s| s.is_real()) else {
+                break;
+            };
+            let middle = interval.middle(BITS + 8);
+            let narrower = self.newton(point, equation, letter, &interval, &middle, &slope.re);
+            match narrower {
+                Some(narrower) if narrower.width() < interval.width() => interval = narrower,
+                _ => break,
+            }
+        }
+        Some(interval)
+    }
+
+    /// Whether the declared definite matrices are so where their letters were determined.
+    pub fn definite_stay_definite(&mut self, point: &Point) -> bool {
+        let model = self.world.model();
+        (0..model.matrices.len()).all(|m| {
+            let entry = |s: usize| model.symbols[s].entry_of.is_some_and(|(of, ..)| of == m);
+            if !model.matrices[m].shape.positive_definite || !point.fixed_symbols().any(entry) {
+                return true;
+            }
+            let found = self.evaluate(point, |e| {
+                let value = e.node((Node::Matrix(m), Vec::new()), Span::default())?;
+                let matrix = value.square("order").map_err(|r| r.at(Span::default()))?;
+                Ok(definite(&e.arithmetic, &matrix, true))
+            });
+            found == Some(Truth::True)
+        })
+    }
+}
+
+impl Evaluator<'_, '_> {
+    /// Left minus right.
+    fn difference(&mut self, hypothesis: &Hypothesis) -> Result<Value, NoValue> {
+        let left = self.expression(&hypothesis.left)?;
+        let right = self.expression(&hypothesis.right)?;
+        let difference = self.arithmetic.sum(&left, &right.negated());
+        difference.map_err(|r| r.at(hypothesis.span))
+    }
+
+    /// The time derivative of left minus right.
+    fn rate_of_difference(&mut self, hypothesis: &Hypothesis, order: u8) -> Result<Value, NoValue> {
+        if order == 0 {
+            return self.difference(hypothesis);
+        }
+        let mut behind = self.world.behind_expression(&hypothesis.left);
+        let right = self.world.behind_expression(&hypothesis.right);
+        behind.symbols.extend(&right.symbols);
+        self.rate(order, &behind, None, hypothesis.span, |e| {
+            e.difference(hypothesis)
+        })
+    }
+}
+
+/// Numbers of a range in increasing order.
+fn probes(range: &Range) -> Vec<Dyadic> {
+    let dyadic = |x: &BigRational| Dyadic::from_rational(x, 40, Rounding::Down);
+    let mut found: BTreeSet<Dyadic> = PROBES
+        .iter()
+        .map(|(n, d)| dyadic(&BigRational::new((*n).into(), (*d).into())))
+        .collect();
+    if let (Some(low), Some(high)) = (&range.low, &range.high) {
+        for k in 0..=16i64 {
+            let part = BigRational::new(k.into(), 16.into());
+            found.insert(dyadic(&(&low.value + (&high.value - &low.value) * part)));
+        }
+    } else if let Some(end) = range.low.as_ref().or(range.high.as_ref()) {
+        for (n, d) in PROBES {
+            found.insert(dyadic(&(&end.value + BigRational::new(n.into(), d.into()))));
+        }
+    }
+    let inside = |x: &Dyadic| range.contains(&x.to_rational());
+    found.into_iter().filter(inside).collect()
+}

@@ -1,0 +1,356 @@
+//! What an evaluator asks of a document: its model, the sizes of an instance, corrected displays, and
+//! what each name's value depends on.
+
+use crate::expr::{Chain, Display, Expr, ExprKind, Name, Relation};
+use crate::latex;
+use crate::model::links::{Place, children};
+use crate::model::names::Resolved;
+use crate::model::{Definition, DefinitionKind, Model, Node};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex};
+
+/// What a value depends on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Behind {
+    /// The symbols.
+    pub symbols: BTreeSet<usize>,
+    /// The nodes, all unknowns of a system being one.
+    pub nodes: BTreeSet<Node>,
+}
+
+/// A document's model in one instance, as printed or as corrected.
+#[derive(Debug)]
+pub struct World<'m> {
+    pub(super) model: &'m Model,
+    pub(super) instance: usize,
+    corrected: BTreeMap<usize, Display>,
+    /// The letters that dots differentiate by, in canonical form.
+    pub(super) times: BTreeSet<String>,
+    /// The definitions of values of processes at numbers, by the canonical name of the process.
+    values: BTreeMap<String, Vec<Node>>,
+    behind: Mutex<BTreeMap<Node, Arc<Behind>>>,
+}
+
+impl<'m> World<'m> {
+    /// A model in one of its instances, with these displays in place of the printed ones.
+    pub fn new(model: &'m Model, instance: usize, corrected: BTreeMap<usize, Display>) -> Self {
+        let mut times: BTreeSet<String> = model
+            .symbols
+            .iter()
+            .filter_map(|s| s.function_of.as_ref().map(latex::canonical))
+            .collect();
+        let plain_time = |s: &crate::model::Symbol| latex::canonical(&s.name) == "t";
+        if times.is_empty() && model.symbols.iter().any(plain_time) {
+            times.insert("t".into());
+        }
+        let mut values: BTreeMap<String, Vec<Node>> = BTreeMap::new();
+        for (d, definition) in model.definitions.iter().enumerate() {
+            if let DefinitionKind::ValueAt(_) = definition.kind {
+                let name = latex::canonical(&definition.name);
+                values.entry(name).or_default().push(Node::Definition(d));
+            }
+        }
+        World {
+            model,
+            instance,
+            corrected,
+            times,
+            values,
+            behind: Mutex::default(),
+        }
+    }
+
+    /// The model.
+    pub fn model(&self) -> &'m Model {
+        self.model
+    }
+
+    /// The display that an equation is read from.
+    pub fn display(&self, equation: usize) -> &Display {
+        self.corrected
+            .get(&equation)
+            .unwrap_or(&self.model.equations[equation].display)
+    }
+
+    /// The size that a letter stands for in this instance.
+    pub(super) fn size(&self, letter: &str) -> Option<i64> {
+        let sizes = &self.model.instances[self.instance];
+        sizes.get(letter).and_then(|n| i64::try_from(*n).ok())
+    }
+
+    /// What a node's value depends on, through all definitions.
+    pub(super) fn behind(&self, node: Node) -> Arc<Behind> {
+        if let Ok(known) = self.behind.lock()
+            && let Some(found) = known.get(&node)
+        {
+            return found.clone();
+        }
+        let mut found = Behind::default();
+        let mut open = vec![normal(node)];
+        while let Some(node) = open.pop() {
+            if !found.nodes.insert(node) {
+                continue;
+            }
+            self.directly(node, &mut |e| self.uses(e, &mut open, &mut found.symbols));
+            match node {
+                Node::Symbol(s) => {
+                    found.symbols.insert(s);
+                }
+                Node::Matrix(m) => {
+                    let entries = self.model.symbols.iter().enumerate();
+                    let own = entries.filter(|(_, s)| s.entry_of.is_some_and(|(of, ..)| of == m));
+                    found.symbols.extend(own.map(|(s, _)| s));
+                }
+                Node::Definition(_) | Node::Notation(_) | Node::Unknown { .. } => {}
+            }
+        }
+        // A process depends on what it is a function of.
+        let arguments: Vec<usize> = found
+            .symbols
+            .iter()
+            .flat_map(|s| self.model.argument_symbols(*s))
+            .collect();
+        found.symbols.extend(arguments);
+        let found = Arc::new(found);
+        if let Ok(mut known) = self.behind.lock() {
+            known.insert(node, found.clone());
+        }
+        found
+    }
+
+    /// What an expression depends on.
+    pub(super) fn behind_expression(&self, expr: &Expr) -> Behind {
+        let mut found = Behind::default();
+        let mut open = Vec::new();
+        each(expr, &mut |e| self.uses(e, &mut open, &mut found.symbols));
+        for node in open {
+            let behind = self.behind(node);
+            found.symbols.extend(&behind.symbols);
+            found.nodes.extend(&behind.nodes);
+        }
+        let arguments: Vec<usize> = found
+            .symbols
+            .iter()
+            .flat_map(|s| self.model.argument_symbols(*s))
+            .collect();
+        found.symbols.extend(arguments);
+        found
+    }
+
+    /// Every expression that a node's value is computed from directly.
+    fn directly(&self, node: Node, see: &mut impl FnMut(&Expr)) {
+        match node {
+            Node::Symbol(_) | Node::Matrix(_) => {}
+            Node::Definition(d) => {
+                let definition = &self.model.definitions[d];
+                let display = self.display(definition.equation);
+                if let Some(value) = definition.place.find(display) {
+                    each(value, see);
+                }
+                for condition in self.range_of(definition) {
+                    for member in &condition.members {
+                        each(member, see);
+                    }
+                }
+            }
+            Node::Notation(n) => {
+                if let Some(target) = self.model.notation[n].kind.target() {
+                    each(target, see);
+                }
+            }
+            Node::Unknown { system, .. } => {
+                let display = self.display(self.model.systems[system].equation);
+                for clause in &display.clauses {
+                    for member in &clause.chain.members {
+                        each(member, see);
+                    }
+                }
+            }
+        }
+    }
+
+    fn uses(&self, expr: &Expr, nodes: &mut Vec<Node>, symbols: &mut BTreeSet<usize>) {
+        let mut direct = BTreeSet::new();
+        match &expr.kind {
+            ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
+                if let Ok(Resolved::Letter { symbol, order }) = self.model.resolve(name, &|_| false)
+                {
+                    symbols.insert(symbol);
+                    // An equation of motion may say what a derivative is.
+                    nodes.extend(self.motions(symbol, order));
+                }
+                // What it may be the derivative of.
+                if name.letter.primes > 0 {
+                    let plain = Expr::new(ExprKind::Name(unprimed(name)), expr.span);
+                    self.model.collect(&plain, &mut direct);
+                }
+                let plain = Expr::new(ExprKind::Name(name.clone()), expr.span);
+                self.model.collect(&plain, &mut direct);
+                if !self.values.is_empty() {
+                    let values = self.values.get(&latex::canonical(name));
+                    nodes.extend(values.into_iter().flatten());
+                }
+            }
+            ExprKind::Power { .. } => {
+                // Its parts are seen on their own: here only a power that is defined as such.
+                let shallow = shallow_power(expr);
+                self.model.collect(&shallow, &mut direct);
+            }
+            ExprKind::Expectation(_) => {
+                for (_, node, covariance) in self.model.covariances() {
+                    nodes.push(normal(node));
+                    self.model.collect(&covariance.product, &mut direct);
+                }
+            }
+            _ => {}
+        }
+        nodes.extend(direct.into_iter().map(normal));
+    }
+
+    /// The nodes that say what higher derivatives of a process are.
+    fn motions(&self, symbol: usize, order: u8) -> Vec<Node> {
+        let declared = &self.model.symbols[symbol];
+        if declared.function_of.is_none() {
+            return Vec::new();
+        }
+        let name = match declared.entry_of {
+            Some((matrix, ..)) => &self.model.matrices[matrix].name,
+            None => &declared.name,
+        };
+        (order..=order.saturating_add(4))
+            .filter_map(|k| {
+                let mut dotted = name.clone();
+                dotted.dots = dotted.dots.saturating_add(k);
+                match self.model.resolve(&dotted, &|_| false) {
+                    Ok(Resolved::Node { node, .. }) => match node {
+                        Node::Matrix(_) => None,
+                        node => Some(normal(node)),
+                    },
+                    _ => None,
+                }
+            })
+            .collect()
+    }
+
+    /// The conditions printed beside a definition: between which numbers or letters a letter lies.
+    pub(super) fn range_of(&self, definition: &Definition) -> Vec<&Chain> {
+        if definition.arguments.is_empty() {
+            return Vec::new();
+        }
+        let own = definition.place.clause();
+        let clauses = self.display(definition.equation).clauses.iter();
+        clauses
+            .enumerate()
+            .filter(|(k, clause)| *k != own && self.is_range(&clause.chain))
+            .map(|(_, clause)| &clause.chain)
+            .collect()
+    }
+
+    /// Whether a chain says between which numbers or letters something lies.
+    pub(super) fn is_range(&self, chain: &Chain) -> bool {
+        let plain = |e: &Expr| match &e.kind {
+            ExprKind::Name(name) => matches!(
+                self.model.resolve(name, &|_| false),
+                Ok(Resolved::Letter { order: 0, .. })
+            ),
+            ExprKind::Infinity => true,
+            ExprKind::Sum(terms) => match terms.as_slice() {
+                [(_, term)] if term.kind == ExprKind::Infinity => true,
+                _ => crate::model::names::literal_number(e).is_some(),
+            },
+            _ => crate::model::names::literal_number(e).is_some(),
+        };
+        let order = |r: &Relation| match r {
+            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual => {
+                true
+            }
+            Relation::Equal
+            | Relation::NotEqual
+            | Relation::Distributed
+            | Relation::Approximately
+            | Relation::Tends => false,
+        };
+        !chain.relations.is_empty()
+            && chain.members.iter().all(plain)
+            && chain.relations.iter().all(order)
+    }
+
+    /// The letters that a definition is one of functions of, as corrected.
+    pub(super) fn parameters(&self, definition: &Definition) -> Vec<Name> {
+        let clause = definition.place.clause();
+        let head = Place::Member { clause, member: 0 };
+        let display = self.display(definition.equation);
+        let Some(ExprKind::Apply { arguments, .. }) = head.find(display).map(|e| &e.kind) else {
+            return definition.arguments.clone();
+        };
+        let names: Option<Vec<Name>> = arguments
+            .iter()
+            .map(|argument| match &argument.kind {
+                ExprKind::Name(name) => Some(name.clone()),
+                _ => None,
+            })
+            .collect();
+        names
+            .filter(|names| names.len() == definition.arguments.len())
+            .unwrap_or_else(|| definition.arguments.clone())
+    }
+
+    /// Whether dots differentiate by this letter.
+    pub(super) fn is_time(&self, letter: &Name) -> bool {
+        self.times.contains(&latex::canonical(letter))
+    }
+
+    /// Whether a symbol changes with the letter of this canonical name.
+    pub(super) fn changes_with(&self, symbol: usize, time: &str) -> bool {
+        let declared = &self.model.symbols[symbol];
+        let function = declared.function_of.as_ref();
+        function.is_some_and(|t| latex::canonical(t) == time)
+            || declared.entry_of.is_none() && latex::canonical(&declared.name) == time
+    }
+}
+
+/// Without its primes.
+pub(super) fn unprimed(name: &Name) -> Name {
+    let mut plain = name.clone();
+    plain.letter.primes = 0;
+    plain
+}
+
+/// The node as dependences know it.
+pub(super) fn normal(node: Node) -> Node {
+    match node {
+        Node::Unknown { system, .. } => Node::Unknown {
+            system,
+            position: 0,
+        },
+        node => node,
+    }
+}
+
+/// The same power of the same name, without what else stands in it.
+fn shallow_power(expr: &Expr) -> Expr {
+    match &expr.kind {
+        ExprKind::Power { base, exponent }
+            if matches!(base.kind, ExprKind::Name(_))
+                && matches!(exponent.kind, ExprKind::Number(_)) =>
+        {
+            expr.clone()
+        }
+        _ => Expr::new(ExprKind::Infinity, expr.span),
+    }
+}
+
+/// Every expression of a tree, conditions of cases among them.
+pub(super) fn each(expr: &Expr, see: &mut impl FnMut(&Expr)) {
+    see(expr);
+    for child in children(expr) {
+        each(child, see);
+    }
+    if let ExprKind::Cases(cases) = &expr.kind {
+        for member in cases.iter().flat_map(|(_, conditions)| conditions) {
+            for side in &member.members {
+                each(side, see);
+            }
+        }
+    }
+}
