@@ -328,7 +328,10 @@ impl Checker<'_> {
             let found = expanded.evaluate(&point).ok()?;
             let zero = BigRational::zero();
             (found <= zero).then(|| Witness {
-                point: letters.iter().map(|l| (*l, point[*l].clone())).collect(),
+                point: letters
+                    .iter()
+                    .map(|l| (*l, PointValue::Exact(point[*l].clone())))
+                    .collect(),
                 left: PointValue::Exact(found),
                 right: PointValue::Exact(zero),
                 place: None,

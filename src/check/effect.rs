@@ -50,7 +50,8 @@ pub fn effect(model: &Model, outcome: &Outcome) -> Option<Effect> {
     let scalar = witness.place.is_none() && witness.indices.is_empty();
     let at_reference = witness.point.iter().all(|(letter, value)| {
         matches!(model.letters[*letter], Letter::Symbol { symbol, order: 0 }
-            if model.symbols[symbol].value.as_ref() == Some(value))
+            if model.symbols[symbol].value.as_ref() == value.exact())
+            && value.exact().is_some()
     });
     if !scalar || !at_reference || refutation.missing().is_some() {
         return None;

@@ -1,5 +1,6 @@
 //! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
 
+use super::challenge::is_decided_by_points;
 use super::identity::Decision;
 use super::{Checker, index_tuples};
 use crate::domain::Domain;
@@ -52,9 +53,27 @@ impl Checker<'_> {
         } else if link.relation == Relation::Tends {
             self.tends(equation, link)
         } else if link.relation != Relation::Equal {
-            self.inequality(equation, link, positivity)
+            let verdict = self.inequality(equation, link, positivity);
+            self.second_opinion(equation, link, verdict)
         } else {
-            self.claim(equation, link)
+            let verdict = self.claim(equation, link);
+            self.second_opinion(equation, link, verdict)
+        }
+    }
+
+    /// What stands once a second route has looked at a verdict: what is proved true unless it is
+    /// contradicted, and what could not be decided unless a point shows it false.
+    fn second_opinion(&mut self, equation: usize, link: &Link, verdict: Verdict) -> Verdict {
+        match verdict {
+            Verdict::Undecided { .. }
+                if self.contradiction.is_none() && is_decided_by_points(link.relation) =>
+            {
+                match self.violated(equation, link) {
+                    Some(refutation) => Verdict::Refuted(refutation),
+                    None => verdict,
+                }
+            }
+            verdict => self.challenged(equation, link, verdict),
         }
     }
 
@@ -186,21 +205,22 @@ impl Checker<'_> {
                     None => unverified(),
                 }
             }
-            Ok(Decision::Refuted(mut refutation)) => match self.part(&entries) {
-                // What it lacks is a hypothesis; an edit would be an invention.
-                Some((part, witness)) => {
-                    let mut on_part = Refutation::at(witness);
-                    on_part.residual = std::mem::take(&mut refutation.residual);
-                    on_part.part = Some(part);
-                    Verdict::Refuted(on_part)
+            Ok(decision @ (Decision::Refuted(_) | Decision::False(..))) => {
+                let mut refutation = match self.shown_false(equation, link, decision) {
+                    Ok(refutation) => refutation,
+                    Err(reason) => return Verdict::Undecided { reason },
+                };
+                match self.part(&entries) {
+                    // What it lacks is a hypothesis; an edit would be an invention.
+                    Some((part, witness)) => {
+                        let mut on_part = Refutation::at(witness);
+                        on_part.residual = std::mem::take(&mut refutation.residual);
+                        on_part.part = Some(part);
+                        Verdict::Refuted(on_part)
+                    }
+                    None => self.repaired(equation, link, refutation),
                 }
-                None => self.repaired(equation, link, refutation),
-            },
-            Ok(Decision::False(..)) => Verdict::Undecided {
-                reason: "the sides differ as formulas, and no admissible point was found at which \
-                         their values are apart"
-                    .into(),
-            },
+            }
             Err(reason) => Verdict::Undecided { reason },
         }
     }

@@ -5,6 +5,7 @@
 //! here, no verdict depends on what the author expects, and nothing unknown counts as true.
 
 mod after;
+mod challenge;
 mod conditions;
 mod definite;
 pub mod edit;

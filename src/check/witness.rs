@@ -240,7 +240,7 @@ impl Checker<'_> {
                 continue;
             }
             let value = value(letter, position);
-            shown.push((letter, value.clone()));
+            shown.push((letter, PointValue::Exact(value.clone())));
             point[letter] = Some(value);
         }
         self.make_definite(&mut point, &mut shown);
@@ -285,7 +285,7 @@ impl Checker<'_> {
 impl Checker<'_> {
     /// Raises the diagonals of matrices that are declared positive definite until they dominate their
     /// rows, so that the point is one where the hypotheses hold.
-    fn make_definite(&self, point: &mut [Option<BigRational>], shown: &mut [(usize, BigRational)]) {
+    fn make_definite(&self, point: &mut [Option<BigRational>], shown: &mut [(usize, PointValue)]) {
         let instance = &self.model.instances[self.instance];
         for matrix in &self.model.matrices {
             if !matrix.shape.positive_definite {
@@ -306,7 +306,7 @@ impl Checker<'_> {
                 {
                     *value = value.abs() + sum;
                     if let Some((_, known)) = shown.iter_mut().find(|(l, _)| *l == diagonal) {
-                        known.clone_from(value);
+                        *known = PointValue::Exact(value.clone());
                     }
                 }
             }

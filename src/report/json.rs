@@ -492,7 +492,7 @@ impl Writer<'_> {
                 witness
                     .point
                     .iter()
-                    .map(|(l, value)| (letter(*l), value.to_string()))
+                    .map(|(l, value)| (letter(*l), point_value(value)))
                     .collect(),
             ),
             indices: Ordered(witness.indices.clone()),

@@ -383,8 +383,8 @@ pub fn values(formulas: &Formulas, witness: &Witness) -> Prose {
     let point = Prose::joined(
         witness.point.iter().map(|(letter, value)| {
             let [latex, plain] = [Script::Latex, Script::Plain]
-                .map(|s| format!("{} = {}", formulas.letter(*letter, s), inline(value)));
-            Prose::new().formula(latex, plain)
+                .map(|s| format!("{} = ", formulas.letter(*letter, s)));
+            Prose::new().formula(latex, plain).then(point_value(value))
         }),
         ", ",
     );

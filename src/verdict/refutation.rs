@@ -257,7 +257,7 @@ impl PointValue {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Witness {
     /// Letters of the ring that occur and their values.
-    pub point: Vec<(usize, BigRational)>,
+    pub point: Vec<(usize, PointValue)>,
     /// The left side's entry there.
     pub left: PointValue,
     /// The right side's entry there.

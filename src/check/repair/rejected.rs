@@ -67,9 +67,9 @@ impl Checker<'_> {
     fn explain_rejected(&self, link: &Link, rejected: Vec<(Vec<Edit>, Display)>) -> Vec<Rejected> {
         let span = Span::default();
         let point = self.reference_point();
-        let shown: Vec<(usize, BigRational)> = (0..point.len())
+        let shown: Vec<(usize, PointValue)> = (0..point.len())
             .filter(|l| self.has_reference(*l))
-            .map(|l| (l, point[l].clone()))
+            .map(|l| (l, PointValue::Exact(point[l].clone())))
             .collect();
         let table = self.model.functions.clone();
         let real: Vec<Option<BigRational>> = (0..point.len())

@@ -1,0 +1,208 @@
+//! Verdicts challenged at admissible points, by a route that shares nothing with the exact engine.
+//!
+//! What is proved true is evaluated by certified enclosures of what is printed; where these are apart
+//! the program contradicts itself, and nothing is said of the equation. What the exact engine finds
+//! different is false where the enclosures say so too: at the engine's own point, or at another one.
+
+use super::Checker;
+use super::identity::Decision;
+use crate::enclose::{Budget, Challenge, Comparison, Point, Points, World, challenge};
+use crate::expr::{Display, Relation};
+use crate::model::links::Link;
+use crate::model::{Hypothesis, Letter};
+use crate::real::{Complex, Real};
+use crate::verdict::{Contradiction, PointValue, Refutation, Verdict, Witness};
+use num_traits::Zero;
+
+/// Binary digits with which the exact engine's own points are looked at.
+const BITS: [u32; 3] = [128, 512, 2048];
+/// Multiplications at one point.
+const WORK: u64 = 300_000;
+
+impl<'m> Checker<'m> {
+    /// The document as the second route sees it, with a display in place of an equation's.
+    fn world(&self, changed: Option<(usize, &Display)>) -> World<'m> {
+        let corrected = self.exact.corrections().map(|(e, d)| (*e, d.clone()));
+        let changed = changed.map(|(e, d)| (e, d.clone()));
+        World::new(
+            self.model,
+            self.instance,
+            corrected.chain(changed).collect(),
+        )
+    }
+
+    /// What is proved of a link, unless a second route finds its sides apart at a point.
+    pub(super) fn challenged(&mut self, equation: usize, link: &Link, verdict: Verdict) -> Verdict {
+        let printed = &self.model.equations[equation];
+        let (given, corrections): (&[Hypothesis], _) = match &verdict {
+            Verdict::Holds { .. } => (&[], Vec::new()),
+            // What the definitions imply is true at every point.
+            Verdict::HoldsGiven(given, _) if !given.implied_by.is_empty() => (&[], Vec::new()),
+            Verdict::HoldsGiven(..) if !printed.given.is_empty() => (&printed.given, Vec::new()),
+            Verdict::Misprint { correction, .. } if correction.given.is_none() => {
+                let mut displays = vec![(equation, &correction.display)];
+                displays.extend(
+                    correction
+                        .definition
+                        .as_ref()
+                        .map(|(d, display)| (*d, display)),
+                );
+                (&[], displays)
+            }
+            Verdict::HoldsGiven(..)
+            | Verdict::Misprint { .. }
+            | Verdict::Refuted(_)
+            | Verdict::Undecided { .. }
+            | Verdict::Definition { .. }
+            | Verdict::Recalled { .. } => return verdict,
+        };
+        let mut corrected: std::collections::BTreeMap<usize, Display> = self
+            .exact
+            .corrections()
+            .map(|(e, d)| (*e, d.clone()))
+            .collect();
+        for (e, display) in corrections {
+            corrected.insert(e, display.clone());
+        }
+        let world = World::new(self.model, self.instance, corrected);
+        let hypotheses = printed.assume.iter().chain(given);
+        let found = challenge(&world, equation, link, hypotheses, &Budget::default());
+        let Some(shown) = found.apart else {
+            return verdict;
+        };
+        let witness = self.witness_of(&shown);
+        self.contradiction = Some(Contradiction::Challenge(Box::new(witness)));
+        Verdict::Undecided {
+            reason: "what was found to prove it is contradicted at a point".into(),
+        }
+    }
+
+    /// What becomes of a link whose sides are different formulas: false where certified enclosures
+    /// are apart at an admissible point.
+    pub(super) fn shown_false(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        decision: Decision,
+    ) -> Result<Refutation, String> {
+        let found = self.points_apart(equation, link);
+        match decision {
+            Decision::Refuted(refutation) => {
+                // A second route that knows values elsewhere must find those of this point apart.
+                let own = match (&found.apart, refutation.witness()) {
+                    (None, Some(witness)) if found.evaluated > 0 => {
+                        self.is_apart_at(equation, link, witness)
+                    }
+                    _ => None,
+                };
+                match own {
+                    Some(false) => Err("two routes disagree on whether its sides are apart".into()),
+                    Some(true) | None => Ok(refutation),
+                }
+            }
+            Decision::False(open, _) => match found.apart {
+                Some(shown) => Ok(Refutation::at(self.witness_of(&shown)).with_residual(open)),
+                None => Err(
+                    "the sides differ as formulas, and no admissible point was found at which \
+                     their values are apart"
+                        .into(),
+                ),
+            },
+            Decision::Holds(_) | Decision::HoldsGiven(..) => Err("it was not refuted".into()),
+        }
+    }
+
+    /// A point at which a link that could not be decided is violated.
+    pub(super) fn violated(&mut self, equation: usize, link: &Link) -> Option<Refutation> {
+        let shown = self.points_apart(equation, link).apart?;
+        Some(Refutation::at(self.witness_of(&shown)))
+    }
+
+    fn points_apart(&self, equation: usize, link: &Link) -> Challenge {
+        let world = self.world(None);
+        let hypotheses = &self.model.equations[equation].assume;
+        challenge(&world, equation, link, hypotheses, &Budget::default())
+    }
+
+    /// Whether the sides are apart at the point of a witness by the second route; none where it has
+    /// no values there.
+    fn is_apart_at(&self, equation: usize, link: &Link, witness: &Witness) -> Option<bool> {
+        let world = self.world(None);
+        let mut point = Point::of(self.model, 0);
+        for (letter, value) in &witness.point {
+            if let Letter::Symbol { symbol, order } = self.model.letters[*letter] {
+                let value = Complex::from(Real::rational(value.exact()?.clone()));
+                point = point.with(symbol, order, value);
+            }
+        }
+        for bits in BITS {
+            match world.compare(equation, link, &point, bits, WORK) {
+                Comparison::Apart(_) => return Some(true),
+                Comparison::Overlap { narrow: true } => return Some(false),
+                Comparison::Overlap { narrow: false } => {}
+                Comparison::NoValue(none) if none.reason.is_imprecise() => {}
+                Comparison::NoValue(_) => return None,
+            }
+        }
+        None
+    }
+
+    /// Whether the hypotheses of an equation are true at some admissible point; why not, in words.
+    #[allow(dead_code)]
+    pub(super) fn admits_a_point(&self, equation: usize) -> Result<(), String> {
+        let world = self.world(None);
+        let hypotheses: Vec<&Hypothesis> = self.model.equations[equation].assume.iter().collect();
+        let found = Points::new(&world, hypotheses).and_then(|mut points| points.next());
+        match found {
+            Ok(_) => Ok(()),
+            Err(crate::enclose::NoPoint::Contradictory(_)) => {
+                Err("the hypotheses contradict each other: nothing holds under them".into())
+            }
+            Err(crate::enclose::NoPoint::NoneFound { tried, .. }) => Err(format!(
+                "no admissible point was found at which the hypotheses are true, among {tried}"
+            )),
+        }
+    }
+
+    fn witness_of(&self, shown: &crate::enclose::Shown) -> Witness {
+        let letters = shown.letters.iter().filter_map(|(symbol, order, value)| {
+            let letter = self.model.letter_of_symbol(*symbol, *order)?;
+            Some((letter, point_value(value)))
+        });
+        Witness {
+            point: letters.collect(),
+            left: point_value(&shown.left),
+            right: point_value(&shown.right),
+            place: shown.entry,
+            indices: shown.indices.clone(),
+        }
+    }
+}
+
+/// A number of the second route.
+fn point_value(value: &Complex) -> PointValue {
+    let part = |real: &Real| match real {
+        Real::Exact(number) => PointValue::Exact(number.clone()),
+        Real::Enclosed(interval) => {
+            let [low, high] = [interval.low(), interval.high()].map(|end| end.to_rational());
+            PointValue::Between(low, high)
+        }
+    };
+    match part(&value.im) {
+        PointValue::Exact(zero) if zero.is_zero() => part(&value.re),
+        imaginary => PointValue::Complex(Box::new([part(&value.re), imaginary])),
+    }
+}
+
+/// Whether a relation is one that values at points can violate.
+pub(super) fn is_decided_by_points(relation: Relation) -> bool {
+    match relation {
+        Relation::Equal
+        | Relation::NotEqual
+        | Relation::Less
+        | Relation::LessEqual
+        | Relation::Greater
+        | Relation::GreaterEqual => true,
+        Relation::Distributed | Relation::Approximately | Relation::Tends => false,
+    }
+}
