@@ -16,6 +16,8 @@ use num_traits::Zero;
 
 /// Binary digits with which the exact engine's own points are looked at.
 const BITS: [u32; 3] = [128, 512, 2048];
+/// At how many points an inequality is looked at.
+const INEQUALITY_POINTS: usize = 40;
 /// Multiplications at one point.
 const WORK: u64 = 300_000;
 
@@ -112,6 +114,34 @@ impl<'m> Checker<'m> {
         }
     }
 
+    /// A refutation of what is no equation by a point that a second route confirms. A point that gives
+    /// a value to a letter that stands for a function is none.
+    pub(super) fn confirmed(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        refutation: Refutation,
+    ) -> Result<Refutation, String> {
+        let Some(witness) = refutation.witness() else {
+            return Ok(refutation);
+        };
+        let free = witness.point.iter().all(|(l, _)| !self.is_function(*l));
+        let own = match free {
+            true => self.is_apart_at(equation, link, witness),
+            false => Some(false),
+        };
+        if own != Some(false) {
+            return Ok(refutation);
+        }
+        match self.violated(equation, link) {
+            Some(mut found) => {
+                found.residual.clone_from(&refutation.residual);
+                Ok(found)
+            }
+            None => Err("no admissible point was found at which it is violated".into()),
+        }
+    }
+
     /// A point at which a link that could not be decided is violated.
     pub(super) fn violated(&mut self, equation: usize, link: &Link) -> Option<Refutation> {
         let shown = self.points_apart(equation, link).apart?;
@@ -121,7 +151,12 @@ impl<'m> Checker<'m> {
     fn points_apart(&self, equation: usize, link: &Link) -> Challenge {
         let world = self.world(None);
         let hypotheses = &self.model.equations[equation].assume;
-        challenge(&world, equation, link, hypotheses, &Budget::default())
+        let mut budget = Budget::default();
+        if link.relation != Relation::Equal {
+            // An equation that is false is so nearly everywhere, an inequality perhaps only somewhere.
+            (budget.points, budget.tries) = (INEQUALITY_POINTS, 2 * INEQUALITY_POINTS);
+        }
+        challenge(&world, equation, link, hypotheses, &budget)
     }
 
     /// Whether the sides are apart at the point of a witness by the second route; none where it has

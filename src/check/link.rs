@@ -73,6 +73,12 @@ impl Checker<'_> {
                     None => verdict,
                 }
             }
+            Verdict::Refuted(refutation) if link.relation != Relation::Equal => {
+                match self.confirmed(equation, link, refutation) {
+                    Ok(refutation) => Verdict::Refuted(refutation),
+                    Err(reason) => Verdict::Undecided { reason },
+                }
+            }
             verdict => self.challenged(equation, link, verdict),
         }
     }

@@ -249,6 +249,21 @@ impl PointValue {
                 };
             }
         }
+        // Next to a number with few digits none is certain, but how near it is.
+        let scale = num_traits::pow(BigRational::from_integer(10.into()), most);
+        let half = BigRational::new(1.into(), 2.into());
+        let middle = ((low + high) * &half * &scale + &half).floor().to_integer();
+        let near = |end: &BigRational| {
+            (end * &scale - BigRational::from_integer(middle.clone())).abs()
+                <= BigRational::from_integer(1.into())
+        };
+        if near(low) && near(high) {
+            let number = middle.magnitude().to_string();
+            let padded = format!("{number:0>width$}", width = most + 1);
+            let (whole, decimals) = padded.split_at(padded.len() - most);
+            let sign = if middle.is_negative() { "-" } else { "" };
+            return format!("{sign}{whole}.{decimals} ± 10^-{most}");
+        }
         format!("between {low} and {high}")
     }
 }
