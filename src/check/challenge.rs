@@ -70,6 +70,12 @@ impl<'m> Checker<'m> {
         let hypotheses = printed.assume.iter().chain(given);
         let found = challenge(&world, equation, link, hypotheses, &Budget::default());
         let Some(shown) = found.apart else {
+            if found.evaluated == 0 && found.undefined > 0 {
+                return Verdict::Undecided {
+                    reason: "at none of the admissible points looked at both sides have a value"
+                        .into(),
+                };
+            }
             return verdict;
         };
         let witness = self.witness_of(&shown);

@@ -67,7 +67,7 @@ pub fn greek(letter: char) -> Option<&'static str> {
     found.map(|(word, _)| *word)
 }
 
-const SYMBOLS: [(&str, &str); 29] = [
+const SYMBOLS: [(&str, &str); 28] = [
     ("sum", "Σ"),
     ("int", "∫"),
     ("infty", "∞"),
@@ -96,7 +96,6 @@ const SYMBOLS: [(&str, &str); 29] = [
     ("gt", ">"),
     ("hbar", "ħ"),
     ("det", "det "),
-    ("sqrt", "√"),
 ];
 
 struct Reader<'l> {
@@ -199,7 +198,39 @@ impl Reader<'_> {
                     true => format!("({bottom})"),
                     false => bracketed(&bottom),
                 };
-                self.out += &format!("{}/{bottom}", bracketed(&top));
+                let quotient = format!("{}/{bottom}", bracketed(&top));
+                // Beside another factor a quotient needs brackets: 2 1/x reads as 21/x, a/b c as a/(bc).
+                let number = bottom.chars().all(|c| c.is_ascii_digit());
+                let before = self.out.trim_end().chars().next_back();
+                let after = self.after();
+                let beside = before.is_some_and(ends_factor) || !number && after == Next::Factor;
+                match !derivative && (beside || after == Next::Script) {
+                    true => self.out += &format!("({quotient})"),
+                    false => self.out += &quotient,
+                }
+            }
+            "sqrt" => {
+                self.skip_blanks();
+                let mut degree = String::new();
+                if self.rest.starts_with('[') {
+                    self.take();
+                    let before = std::mem::take(&mut self.out);
+                    self.read(Some(']'));
+                    degree = tidy(&std::mem::replace(&mut self.out, before));
+                }
+                let radicand = self.argument();
+                let single =
+                    radicand.chars().all(|c| c.is_ascii_digit()) || radicand.chars().count() == 1;
+                let sign = match degree.as_str() {
+                    "" => "√".to_string(),
+                    "3" => "∛".to_string(),
+                    "4" => "∜".to_string(),
+                    other => format!("root {other} of "),
+                };
+                match single && self.after() == Next::Other {
+                    true => self.out += &format!("{sign}{radicand}"),
+                    false => self.out += &format!("{sign}({radicand})"),
+                }
             }
             "dot" => self.dotted(1),
             "ddot" => self.dotted(2),
@@ -246,6 +277,50 @@ impl Reader<'_> {
                 self.out.push_str(other);
                 self.out.push(' ');
             }
+        }
+    }
+
+    /// What comes next in the LaTeX.
+    fn after(&self) -> Next {
+        let rest = self.rest.trim_start();
+        let control = rest.strip_prefix('\\').map(|word| {
+            let end = word.find(|c: char| !c.is_ascii_alphabetic());
+            &word[..end.unwrap_or(word.len())]
+        });
+        match (rest.chars().next(), control) {
+            (Some('^'), _) => Next::Script,
+            (_, Some(word)) => {
+                let space = matches!(
+                    word,
+                    "" | "quad" | "qquad" | "right" | "end" | "cdot" | "times"
+                );
+                let relation = matches!(
+                    word,
+                    "le" | "leq"
+                        | "leqslant"
+                        | "ge"
+                        | "geq"
+                        | "geqslant"
+                        | "ne"
+                        | "neq"
+                        | "approx"
+                        | "sim"
+                        | "to"
+                        | "rightarrow"
+                        | "lt"
+                        | "gt"
+                        | "pm"
+                        | "mp"
+                        | "text"
+                        | "quad"
+                );
+                match space || relation {
+                    true => Next::Other,
+                    false => Next::Factor,
+                }
+            }
+            (Some(c), None) if c.is_alphanumeric() || matches!(c, '(' | '[' | '{') => Next::Factor,
+            (_, None) => Next::Other,
         }
     }
 
@@ -308,6 +383,22 @@ impl Reader<'_> {
             self.argument();
         }
     }
+}
+
+/// What may follow a quotient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Next {
+    /// Something that it is multiplied with.
+    Factor,
+    /// An exponent of the whole.
+    Script,
+    /// A sign, a relation, a bracket that closes, or nothing.
+    Other,
+}
+
+/// Whether a factor ends with this character.
+fn ends_factor(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, ')' | ']' | '}' | '\'' | '~' | '¯')
 }
 
 /// How many letters, numbers and groups stand beside each other in LaTeX; scripts belong to what they
@@ -397,6 +488,12 @@ mod tests {
             ("\\frac{d}{d\\Omega}", "d/dΩ"),
             ("\\frac{d_A}{d_R m}", "d_A/(d_R m)"),
             ("\\frac{a}{\\sqrt{3}}", "a/(√3)"),
+            ("\\sqrt{\\frac{k}{m+M}}", "√(k/(m+M))"),
+            ("\\sqrt{k}m", "√(k)m"),
+            ("2\\pi\\frac{1}{2\\pi}", "2π(1/(2π))"),
+            ("1\\frac{1}{2}x", "1(1/2)x"),
+            ("\\frac{a}{b}c", "(a/b)c"),
+            ("\\left(x\\right)\\frac{a}{b}", "(x)(a/b)"),
             ("c[0 \\ 0 \\ 1]^T", "c[0 0 1]^T"),
             ("\\left(1 + \\frac{m_R}{m_A} \\right)^3", "(1 + m_R/m_A)^3"),
             (
