@@ -168,7 +168,8 @@ fn gravity(audit: &Audit) -> Gravity {
             Gravity::Undecided,
         ),
         (
-            !audit.figure_coverage().absent.is_empty(),
+            !audit.figure_coverage().absent.is_empty()
+                || audit.figures.iter().any(|f| f.content.is_err()),
             Gravity::Undecided,
         ),
         (

@@ -17,7 +17,7 @@ pub use surface::{Axis, Mark, MarkKind, Surface};
 pub use table::{Column, Table};
 
 use crate::check;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::figure::{self as written, FigureKind, Station};
 use crate::domain::Symbolic;
 use crate::evaluate::Evaluator;
@@ -95,7 +95,13 @@ pub(crate) enum Obstacle {
 
 impl From<Diagnostic> for Obstacle {
     fn from(diagnostic: Diagnostic) -> Self {
-        Obstacle::Wrong(diagnostic)
+        match diagnostic.kind {
+            // A pole is met by the numbers, and costs this figure and nothing else.
+            DiagnosticKind::DivisionByZero => {
+                Obstacle::Beyond("its quantity has no value at a point of the grid".into())
+            }
+            _ => Obstacle::Wrong(diagnostic),
+        }
     }
 }
 

@@ -67,7 +67,7 @@ pub fn table(inspection: &Inspection, style: Style) -> String {
         lines.join("\n")
     );
     let lines = units(audit).into_iter().chain(floating_point(inspection));
-    for line in lines.chain(contradictions(audit)) {
+    for line in lines.chain(undrawn(audit)).chain(contradictions(audit)) {
         out += &format!("\n {line}");
     }
     if out.ends_with('\n') { out } else { out + "\n" }
@@ -205,6 +205,14 @@ fn floating_point(inspection: &Inspection) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// The figures that are not drawn, and why.
+fn undrawn(audit: &Audit) -> Vec<String> {
+    let figures = audit.figures.iter();
+    let why = figures.filter_map(|f| Some((&f.label, f.content.as_ref().err()?)));
+    why.map(|(label, why)| format!("figure {label} is not drawn: {why}"))
+        .collect()
 }
 
 /// Where the program contradicts itself.
