@@ -36,7 +36,7 @@ impl Checker<'_> {
         link: &Link,
         positivity: &mut Option<Positivity>,
     ) -> Verdict {
-        let display = self.exact.display(equation).clone();
+        let display = self.display(equation);
         let (Some(left), Some(right)) = (link.left.find(&display), link.right.find(&display))
         else {
             return undecided("a link without its sides");

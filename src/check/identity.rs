@@ -43,7 +43,7 @@ impl Checker<'_> {
         equation: usize,
         link: &Link,
     ) -> Result<Vec<ResidualEntry>, Failure> {
-        let display = self.exact.display(equation).clone();
+        let display = self.display(equation);
         let span = self.model.equations[equation].span;
         let at = |place: Place| place.find(&display).map_or(span, |side| side.span);
         let both = at(link.left).to(at(link.right));

@@ -31,11 +31,15 @@ mod witness;
 use crate::diagnostic::Diagnostic;
 use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
+use crate::expr::Display;
 use crate::model::{Letter, Model, Node};
+use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Verdict};
 use ratpoly::RationalFunction;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// How much is spent.
 #[derive(Clone, Copy, Debug)]
@@ -75,6 +79,8 @@ pub struct Checker<'m> {
     failure: Option<FailureKind>,
     /// How the program contradicted itself on the last link, if it did.
     contradiction: Option<Contradiction>,
+    /// The equations as printed, with their hashes.
+    prints: BTreeMap<usize, Arc<Print>>,
 }
 
 /// The verdicts on a model.
@@ -150,6 +156,7 @@ impl<'m> Checker<'m> {
             in_definitions: true,
             failure: None,
             contradiction: None,
+            prints: BTreeMap::new(),
         }
     }
 
@@ -199,6 +206,14 @@ impl<'m> Checker<'m> {
         })
     }
 
+    /// The display that an equation is evaluated from.
+    fn display(&self, equation: usize) -> Cow<'m, Display> {
+        match self.exact.corrected_display(equation) {
+            Some(display) => Cow::Owned(display.clone()),
+            None => Cow::Borrowed(&self.model.equations[equation].display),
+        }
+    }
+
     fn note(&mut self, failure: &Failure) {
         self.diagnostics.extend(failure.diagnostic());
     }
@@ -238,12 +253,14 @@ impl<'m> Checker<'m> {
         let printed = &self.model.equations[equation];
         self.contradiction = None;
         let mut positivity = None;
-        let before = self.exact.display(equation).clone();
+        let before = self.exact.corrected_display(equation).cloned();
         let verdict = self.verdict(equation, l, unusable, &mut positivity);
         let conditions = self.conditions();
         let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
         let after = match &verdict {
-            Verdict::Misprint { .. } | Verdict::Refuted(_) => self.after(equation, l, &before),
+            Verdict::Misprint { .. } | Verdict::Refuted(_) => {
+                self.after(equation, l, before.as_ref().unwrap_or(&printed.display))
+            }
             _ => None,
         };
         Outcome {

@@ -13,6 +13,7 @@ use crate::verdict::certificate::{
 };
 use crate::verdict::{Certificate, Contradiction, Given, Proof, ResidualEntry};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 impl Checker<'_> {
     /// The proof that entries are equal after an insertion, or follow from relations; none where the
@@ -87,12 +88,12 @@ impl Checker<'_> {
         }
     }
 
-    fn subject(&self, equation: usize, link: &Link, steps: &Steps) -> Subject {
+    fn subject(&mut self, equation: usize, link: &Link, steps: &Steps) -> Subject {
         let model = self.model;
         let printed = &model.equations[equation];
-        let display = self.exact.display(equation);
+        let display = self.display(equation);
         let text = |place: crate::model::links::Place| {
-            place.find(display).map_or_else(String::new, reading::expr)
+            place.find(&display).map_or_else(String::new, reading::expr)
         };
         let letters = letters_in(steps);
         let definitions: BTreeSet<usize> = letters
@@ -104,21 +105,20 @@ impl Checker<'_> {
                 Letter::Symbol { .. } | Letter::Function { .. } => None,
             })
             .collect();
-        let corrected = display != &printed.display;
+        let corrected = self.exact.corrected_display(equation);
         Subject {
             document: model.document.name.clone(),
             print: match corrected {
-                false => Print::new(&printed.label, &printed.source),
-                true => Print::new(&printed.label, &latex::write_display(display)),
+                Some(display) => {
+                    Arc::new(Print::new(&printed.label, &latex::write_display(display)))
+                }
+                None => self.print(equation),
             },
             member: link.member,
             reading: [text(link.left), text(link.right)],
             relation: reading::relation(link.relation).into(),
             letters: letters.into_iter().map(|l| self.declared(l)).collect(),
-            definitions: definitions
-                .into_iter()
-                .map(|e| Print::new(&model.equations[e].label, &model.equations[e].source))
-                .collect(),
+            definitions: definitions.into_iter().map(|e| self.print(e)).collect(),
             hypotheses: printed
                 .settings
                 .assume
@@ -127,6 +127,14 @@ impl Checker<'_> {
                 .map(|text| Print::new(&printed.label, &text.text))
                 .collect(),
         }
+    }
+
+    /// An equation as printed.
+    fn print(&mut self, equation: usize) -> Arc<Print> {
+        let printed = &self.model.equations[equation];
+        let print = self.prints.entry(equation);
+        let new = || Arc::new(Print::new(&printed.label, &printed.source));
+        Arc::clone(print.or_insert_with(new))
     }
 
     fn declared(&self, letter: usize) -> DeclaredLetter {

@@ -183,6 +183,11 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             .unwrap_or(&self.model.equations[equation].display)
     }
 
+    /// The display that stands in place of an equation's printed one, if one does.
+    pub fn corrected_display(&self, equation: usize) -> Option<&Display> {
+        self.corrected.get(&equation)
+    }
+
     /// Another evaluator over the same field with the same letters, sizes and corrections, for which
     /// nothing has been computed yet.
     #[must_use]

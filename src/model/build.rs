@@ -13,7 +13,7 @@ use super::{
 };
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::{self, Document, Instance, MatrixShape};
-use crate::expr::{Bracket, Expr, ExprKind, Name, Relation};
+use crate::expr::{Bracket, Display, Expr, ExprKind, Name, Relation};
 use crate::latex::{self, Signature};
 use crate::span::Span;
 use num_traits::ToPrimitive;
@@ -484,9 +484,15 @@ impl Builder {
     /// Makes the left side of a link a definition if it is a name; unless `always`, only when the
     /// name has no meaning yet.
     fn define(&mut self, equation: usize, link: usize, always: bool) {
+        // Taken out for a while: a display of thousands of links is not copied for each of them.
+        let display = std::mem::take(&mut self.equations[equation].display);
+        self.define_in(&display, equation, link, always);
+        self.equations[equation].display = display;
+    }
+
+    fn define_in(&mut self, display: &Display, equation: usize, link: usize, always: bool) {
         let target = self.equations[equation].links[link];
-        let display = self.equations[equation].display.clone();
-        let Some(left) = target.left.find(&display) else {
+        let Some(left) = target.left.find(display) else {
             return;
         };
         let index = self.definitions.len();
@@ -497,7 +503,7 @@ impl Builder {
                 function,
                 arguments,
             } if always && let [ExprKind::Number(at)] = &kinds(arguments)[..] => {
-                match target.right.find(&display).map(|right| &right.kind) {
+                match target.right.find(display).map(|right| &right.kind) {
                     Some(ExprKind::Name(name))
                         if !self.has_meaning(name, &DefinitionKind::Whole) =>
                     {

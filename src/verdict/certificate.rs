@@ -12,6 +12,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use ratpoly::{Order, Polynomial, RationalFunction, Ring};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A polynomial as its terms: coefficient, and the letters that occur with their exponents.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -90,7 +91,7 @@ pub struct Subject {
     /// The document.
     pub document: String,
     /// The equation.
-    pub print: Print,
+    pub print: Arc<Print>,
     /// The number of the link in the equation's chain, from 1.
     pub member: usize,
     /// Both sides as trees, as text: what was read.
@@ -100,7 +101,7 @@ pub struct Subject {
     /// The letters that the steps name.
     pub letters: Vec<DeclaredLetter>,
     /// The definitions that were used.
-    pub definitions: Vec<Print>,
+    pub definitions: Vec<Arc<Print>>,
     /// The hypotheses that were used.
     pub hypotheses: Vec<Print>,
 }
