@@ -357,10 +357,10 @@ impl Checker<'_> {
     /// The functions of the document, or none.
     fn table(&self) -> FunctionTable {
         let model = self.model;
-        let positive = || (0..model.letters.len()).map(|l| model.is_positive(l));
+        let ranges = || (0..model.letters.len()).map(|l| model.range_of(l));
         match &model.functions {
             Some(table) => table.clone(),
-            None => FunctionTable::new(model.ring, positive().collect()),
+            None => FunctionTable::new(model.ring, ranges().collect()),
         }
     }
 

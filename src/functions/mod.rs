@@ -24,6 +24,7 @@ pub use calculus::ChainStep;
 pub(crate) use elementary::square_root_of;
 
 use crate::expr::Function;
+use crate::model::range::Range;
 use integral::End;
 use quadratic::Quadratic;
 use ratpoly::{Polynomial, RationalFunction, Ring};
@@ -146,8 +147,8 @@ pub struct FunctionTable {
     ring: Ring,
     /// The reserve: the last letters of the ring, from this one on.
     first: usize,
-    /// Whether each letter before the reserve is known to be positive.
-    positive: Arc<Vec<bool>>,
+    /// Which numbers each letter before the reserve stands for.
+    ranges: Arc<Vec<Range>>,
     given: Arc<Mutex<Given>>,
 }
 
@@ -160,12 +161,12 @@ struct Given {
 }
 
 impl FunctionTable {
-    /// A table for the letters of a ring beyond those whose positivity is given.
-    pub fn new(ring: Ring, positive: Vec<bool>) -> Self {
+    /// A table for the letters of a ring beyond those whose ranges are given.
+    pub fn new(ring: Ring, ranges: Vec<Range>) -> Self {
         FunctionTable {
             ring,
-            first: positive.len(),
-            positive: Arc::new(positive),
+            first: ranges.len(),
+            ranges: Arc::new(ranges),
             given: Arc::default(),
         }
     }
@@ -304,7 +305,7 @@ impl FunctionTable {
     /// Whether a letter is known to be positive.
     pub fn is_positive_letter(&self, letter: usize) -> bool {
         if letter < self.first {
-            return self.positive[letter];
+            return self.ranges[letter].is_positive();
         }
         match self.meaning(letter) {
             Some(
