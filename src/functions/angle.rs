@@ -53,6 +53,7 @@ impl FunctionTable {
     fn angle(&self, mut term: Term) -> Possible<Pair> {
         // |x| in an angle: the cosine is even, the sine odd.
         let mut odd = self.integer(1);
+        let mut moduli = false;
         for (letter, function) in self.all() {
             let FunctionLetter::Root(square) = function else {
                 continue;
@@ -65,7 +66,14 @@ impl FunctionTable {
                 let x = RationalFunction::from(x);
                 term.atom = &term.atom.checked_div(&magnitude)? * &x;
                 odd = self.reduce(&odd * &magnitude.checked_div(&x)?);
+                moduli = true;
             }
+        }
+        if moduli {
+            // What stood between bars may be a sum.
+            let argument = &self.constant(term.number) * &term.atom;
+            let (cosine, sine) = self.cosine_and_sine(&argument)?;
+            return Ok((cosine, self.reduce(&sine * &odd)));
         }
         if let Some(pair) = self.turn(&term)? {
             return Ok(pair);
@@ -77,8 +85,7 @@ impl FunctionTable {
         // The letter's angle has a positive leading coefficient.
         let (n, unit) = with_positive_lead(n, unit);
         let cosine = self.letter(FunctionLetter::Cosine(unit))?;
-        let (cosine, sine) = self.multiple_angle(cosine, n)?;
-        Ok((cosine, self.reduce(&sine * &odd)))
+        self.multiple_angle(cosine, n)
     }
 
     /// Cosine and sine of a rational multiple of pi, where square roots are enough.

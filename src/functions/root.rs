@@ -38,14 +38,19 @@ impl FunctionTable {
         let split = self.split(f)?;
         let mut value = self.constant(split.content.abs());
         for (factor, multiplicity) in split.factors {
-            let magnitude = self.magnitude(&factor, multiplicity % 2 == 0)?;
+            let magnitude = self.magnitude(&factor, multiplicity % 2 == 0, DEEPEST)?;
             value = self.reduce(&value * &self.power_of(&magnitude, multiplicity)?);
         }
         Ok(value)
     }
 
     /// The modulus of an irreducible polynomial; where only its square is wanted, itself if it is real.
-    fn magnitude(&self, factor: &Polynomial, squared: bool) -> Possible<RationalFunction> {
+    fn magnitude(
+        &self,
+        factor: &Polynomial,
+        squared: bool,
+        depth: usize,
+    ) -> Possible<RationalFunction> {
         let value = RationalFunction::from(factor.clone());
         match self.known_sign(&value) {
             Some(sign) if sign.is_not_negative() => return Ok(value),
@@ -60,7 +65,12 @@ impl FunctionTable {
             if !square.is_polynomial() {
                 return Err(Impossible::unsupported("this modulus"));
             }
-            return self.root_letter(square.numerator());
+            // A square that is written otherwise in the letters has its own root letters.
+            let plain = *square.numerator() == factor * factor;
+            return match plain || depth == 0 {
+                true => self.root_letter(square.numerator()),
+                false => self.nested_root(&square, depth - 1),
+            };
         }
         // |sqrt p| = sqrt |p| for every complex p.
         if let [letter] = factor.variables_occurring()[..]
@@ -104,6 +114,8 @@ impl FunctionTable {
         // sqrt(p/q) = sqrt(p q)/q for the rational number in front.
         let content = split.content.numer() * split.content.denom();
         value = &value * &self.constant(BigRational::new(1.into(), split.content.denom().clone()));
+        // What may vanish stays together too: (1 - cos x)(1 + cos x) is a square.
+        let mut weak = Polynomial::one(self.ring);
         let mut unknown = Polynomial::one(self.ring);
         if content.is_negative() {
             unknown = -unknown;
@@ -129,21 +141,29 @@ impl FunctionTable {
                 continue;
             }
             let half = multiplicity.div_euclid(2);
-            let magnitude = self.magnitude(&factor, half % 2 == 0)?;
+            let magnitude = self.magnitude(&factor, half % 2 == 0, depth)?;
             value = self.reduce(&value * &self.power_of(&magnitude, half)?);
             if multiplicity.rem_euclid(2) == 0 {
                 continue;
             }
             match self.known_sign(&base) {
-                Some(Sign::Positive | Sign::NotNegative | Sign::Zero) => {
+                Some(Sign::Positive) => {
                     value = self.reduce(&value * &self.simple_root(&factor, depth)?);
                 }
-                Some(Sign::Negative | Sign::NotPositive) => {
+                Some(Sign::Negative) => {
                     value = self.reduce(&value * &self.simple_root(&-factor, depth)?);
+                    unknown = -unknown;
+                }
+                Some(Sign::NotNegative | Sign::Zero) => weak = &weak * &factor,
+                Some(Sign::NotPositive) => {
+                    weak = -(&weak * &factor);
                     unknown = -unknown;
                 }
                 None => unknown = &unknown * &factor,
             }
+        }
+        if !weak.is_one() {
+            value = self.reduce(&value * &self.simple_root(&weak, depth)?);
         }
         if unknown == -Polynomial::one(self.ring) {
             value = self.reduce(&value * &self.imaginary_unit()?);

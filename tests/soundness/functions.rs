@@ -49,6 +49,9 @@ fn verdicts(definitions: &str, claims: &[String]) -> Vec<VerdictWord> {
             repair: false,
             ..Options::default()
         };
+        if std::env::var("SHOW_CLAIMS").is_ok() {
+            println!("{}", part.join("\n"));
+        }
         let audit: Audit =
             crate::common::audit(&text, options).unwrap_or_else(|r| panic!("{r}: {text}"));
         for k in 0..part.len() {
