@@ -147,6 +147,14 @@ impl Symbolic {
             None => element,
         }
     }
+
+    /// A sum of normal forms, one of which may be older than a letter that replaces one of its own.
+    fn refined(&self, element: RationalFunction) -> RationalFunction {
+        match &self.functions {
+            Some(table) => table.refined(element),
+            None => element,
+        }
+    }
 }
 
 impl Domain for Symbolic {
@@ -162,10 +170,10 @@ impl Domain for Symbolic {
         element.is_zero()
     }
     fn add(&self, left: &RationalFunction, right: &RationalFunction) -> RationalFunction {
-        left + right
+        self.refined(left + right)
     }
     fn subtract(&self, left: &RationalFunction, right: &RationalFunction) -> RationalFunction {
-        left - right
+        self.refined(left - right)
     }
     fn multiply(&self, left: &RationalFunction, right: &RationalFunction) -> RationalFunction {
         self.normal(left * right)

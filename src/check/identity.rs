@@ -88,14 +88,20 @@ impl Checker<'_> {
             Value::Scalar(s) => s.clone(),
             Value::Zero => zero.clone(),
         };
+        let comparable = |f: RationalFunction| match &self.model.functions {
+            Some(table) => table
+                .comparable(&f)
+                .map_err(|why| Failure::impossible(why, span)),
+            None => Ok(f),
+        };
         let mut entries = Vec::new();
         for i in 0..shape.0 {
             for j in 0..shape.1 {
                 entries.push(ResidualEntry {
                     indices: indices.to_vec(),
                     place: (shape != (1, 1)).then_some((i + 1, j + 1)),
-                    left: at(left, i, j),
-                    right: at(right, i, j),
+                    left: comparable(at(left, i, j))?,
+                    right: comparable(at(right, i, j))?,
                 });
             }
         }

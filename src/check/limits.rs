@@ -199,7 +199,7 @@ impl Checker<'_> {
         self.exact.cases_met = 0;
         let mut case = 0;
         loop {
-            self.exact.case = case;
+            self.exact.begin_case(case);
             let value = self.exact.expression(&moving);
             let cases = self.exact.cases_met;
             if case + 1 >= cases || value.is_err() {
@@ -326,7 +326,7 @@ impl Checker<'_> {
         case: usize,
     ) -> Option<(BigRational, BigRational)> {
         let letter = self.model.letter_of_symbol(symbol, 0)?;
-        self.exact.case = case;
+        self.exact.begin_case(case);
         let value = self.exact.expression(expr);
         self.exact.case = 0;
         let Ok(Value::Scalar(value)) = value else {
@@ -357,10 +357,10 @@ impl Checker<'_> {
     /// The functions of the document, or none.
     fn table(&self) -> FunctionTable {
         let model = self.model;
-        let positive = || (0..model.letters.len()).map(|l| model.is_positive(l));
+        let ranges = || (0..model.letters.len()).map(|l| model.range_of(l));
         match &model.functions {
             Some(table) => table.clone(),
-            None => FunctionTable::new(model.ring, positive().collect()),
+            None => FunctionTable::new(model.ring, ranges().collect()),
         }
     }
 

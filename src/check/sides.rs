@@ -40,7 +40,8 @@ pub(super) fn sides_of<D: Domain>(
     for tuple in index_tuples(&bounds) {
         let indices: Vec<(String, i64)> = names.iter().cloned().zip(tuple).collect();
         let values = evaluator.in_each_case(|evaluator| {
-            evaluator.with_indices(&indices, |e| e.sides_of_chain(head, left, right))
+            let sides = evaluator.with_indices(&indices, |e| e.sides_of_chain(head, left, right));
+            sides.map(|(l, r)| (evaluator.in_this_case(l), evaluator.in_this_case(r)))
         })?;
         for (case, (l, r)) in values {
             let mut indices = indices.clone();

@@ -84,7 +84,10 @@ impl<D: Domain> Evaluator<'_, D> {
         self.bound.clear();
         self.replaced.clear();
         self.conditions.clear();
-        (self.case, self.cases_met, self.integrals) = (0, 0, 0);
+        self.begin_case(0);
+        self.between.clear();
+        self.open_integrals.clear();
+        self.integrals = 0;
         (self.lenient, self.wanted_rows, self.at) = (false, None, None);
     }
 

@@ -1,5 +1,5 @@
 //! Functions: defined ones at any argument, the letters of the field, integrals and derivatives by a
-//! named letter, definitions by cases.
+//! named letter.
 //!
 //! A function's body is evaluated with its letters standing for the arguments; what does not depend
 //! on these letters keeps the value it has. The variable of an integral is a letter of its own, so
@@ -7,9 +7,9 @@
 
 use super::{Evaluator, Failure, FailureKind, Key, Known, Value};
 use crate::domain::Domain;
-use crate::expr::{Chain, Expr, ExprKind, Function, Name, Relation, Sign};
+use crate::expr::{Chain, Expr, ExprKind, Function, Name, Sign};
 use crate::functions::integral::End;
-use crate::functions::{Constant, Functions, Possible};
+use crate::functions::{Constant, Functions, Possible, Sign as KnownSign, Supposed};
 use crate::latex;
 use crate::model::links::Place;
 use crate::model::names::Resolved;
@@ -135,7 +135,8 @@ impl<D: Domain> Evaluator<'_, D> {
         }
         if let Some(definition) = node.and_then(|node| self.model.function_definition(node)) {
             let parameters = self.parameters(definition);
-            return self.applied(function, &parameters, arguments, span);
+            let range = self.range_of(definition, &parameters);
+            return self.applied(function, &parameters, &range, arguments, span);
         }
         let plain = arguments.iter().all(|a| {
             matches!(&a.kind, ExprKind::Name(n)
@@ -178,6 +179,7 @@ impl<D: Domain> Evaluator<'_, D> {
         &mut self,
         function: &Name,
         parameters: &[Name],
+        range: &[Chain],
         arguments: &[Expr],
         span: Span,
     ) -> Result<Value<D::Element>> {
@@ -208,7 +210,10 @@ impl<D: Domain> Evaluator<'_, D> {
             };
             images.push((symbol, image));
         }
-        self.with_symbols(images, |e| e.name(function, span))
+        self.with_symbols(images, |e| {
+            e.suppose_range(range, span)?;
+            e.name(function, span)
+        })
     }
 
     /// Runs `body` while symbols stand for something else.
@@ -281,22 +286,63 @@ impl<D: Domain> Evaluator<'_, D> {
             return Err(Failure::new(FailureKind::Undeclared { name }, span));
         };
         let functions = self.functions("an integral", span)?;
-        let positive = match &from {
-            End::At(start) => {
-                self.field.is_zero(start) || functions.sign(start) == Some(Ordering::Greater)
-            }
-            _ => false,
-        };
+        // Between two numbers that are not negative.
+        let positive = [&from, &to].into_iter().all(|end| match end {
+            End::At(end) => functions
+                .sign_where(end, &[])
+                .is_some_and(KnownSign::is_not_negative),
+            End::Above => true,
+            End::Below => false,
+        });
         let letter = Self::possible(functions.bound(self.integrals, positive), span)?;
+        let outer = self.between.len();
+        let between = self.between(&letter, &from, &to);
+        self.between.extend(between);
+        self.open_integrals
+            .push((letter.clone(), from.clone(), to.clone()));
         self.integrals += 1;
         let integrand = self.with_symbols(vec![(symbol, letter.clone())], |e| e.expression(body));
         self.integrals -= 1;
+        self.between.truncate(outer);
+        self.open_integrals.pop();
         let integrand = integrand?;
         let functions = self.functions("an integral", span)?;
         let over = |entry: &D::Element| {
             Self::possible(functions.integral(entry, &letter, &from, &to), span)
         };
         integrand.try_map(over)
+    }
+
+    /// That the variable of an integral lies between its ends, where these are known to be in order.
+    fn between(
+        &self,
+        letter: &D::Element,
+        from: &End<D::Element>,
+        to: &End<D::Element>,
+    ) -> Vec<Supposed<D::Element>> {
+        let Some(functions) = self.field.functions() else {
+            return Vec::new();
+        };
+        if let (End::At(from), End::At(to)) = (from, to) {
+            let length = functions.sign_where(&self.field.subtract(to, from), &[]);
+            if !length.is_some_and(KnownSign::is_not_negative) {
+                return Vec::new();
+            }
+        }
+        let mut all = Vec::new();
+        let mut suppose = |element| {
+            all.push(Supposed {
+                element,
+                strict: true,
+            })
+        };
+        if let End::At(from) = from {
+            suppose(self.field.subtract(letter, from));
+        }
+        if let End::At(to) = to {
+            suppose(self.field.subtract(to, letter));
+        }
+        all
     }
 
     fn end(&mut self, expr: &Expr) -> Result<End<D::Element>> {
@@ -447,62 +493,5 @@ impl<D: Domain> Evaluator<'_, D> {
             rate = self.field.add(&rate, &self.field.multiply(&factor, &inner));
         }
         Ok(rate)
-    }
-
-    /// The value in the case that is looked at, among those that the conditions do not exclude.
-    pub(super) fn by_cases(
-        &mut self,
-        cases: &[(Expr, Vec<Chain>)],
-        span: Span,
-    ) -> Result<Value<D::Element>> {
-        let mut admitted = Vec::new();
-        for (value, conditions) in cases {
-            let mut excluded = false;
-            for condition in conditions {
-                excluded |= self.excludes(condition);
-            }
-            if !excluded {
-                admitted.push(value);
-            }
-        }
-        self.cases_met = self.cases_met.max(admitted.len());
-        match admitted.get(self.case.min(admitted.len().saturating_sub(1))) {
-            Some(value) => self.expression(value),
-            None => Err(Failure::unsupported(
-                "an argument outside of every case",
-                span,
-            )),
-        }
-    }
-
-    /// Whether an inequality of a condition is false for all admitted values of the letters.
-    fn excludes(&mut self, condition: &Chain) -> bool {
-        let values: Vec<Option<D::Element>> = condition
-            .members
-            .iter()
-            .map(|member| match self.expression(member) {
-                Ok(Value::Scalar(value)) => Some(value),
-                _ => None,
-            })
-            .collect();
-        let Some(functions) = self.field.functions() else {
-            return false;
-        };
-        values
-            .windows(2)
-            .zip(&condition.relations)
-            .any(|(pair, relation)| {
-                let [Some(left), Some(right)] = pair else {
-                    return false;
-                };
-                let sign = functions.sign(&self.field.subtract(right, left));
-                match (relation, sign) {
-                    (Relation::Less, Some(sign)) => sign != Ordering::Greater,
-                    (Relation::LessEqual, Some(sign)) => sign == Ordering::Less,
-                    (Relation::Greater, Some(sign)) => sign != Ordering::Less,
-                    (Relation::GreaterEqual, Some(sign)) => sign == Ordering::Greater,
-                    _ => false,
-                }
-            })
     }
 }

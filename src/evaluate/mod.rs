@@ -5,6 +5,7 @@
 //! Abbreviations (scalars defined by arithmetic on declared symbols) stay letters; inserting their
 //! definitions is the checker's business.
 
+mod cases;
 mod change;
 mod expectation;
 mod failure;
@@ -23,6 +24,8 @@ pub use value::Value;
 
 use crate::domain::Domain;
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
+use crate::functions::Supposed;
+use crate::functions::integral::End;
 use crate::matrix::Matrix;
 use crate::model::names::Resolved;
 use crate::model::{Model, Node};
@@ -111,6 +114,14 @@ pub struct Evaluator<'m, D: Domain> {
     pub case: usize,
     /// How many cases the definitions met so far have; 0 where none was met.
     pub cases_met: usize,
+    /// The product of the choices so far.
+    radix: usize,
+    /// What the cases chosen so far suppose; of no meaning where no case was met.
+    supposed: Vec<Supposed<D::Element>>,
+    /// Between what the variables of the open integrals lie.
+    between: Vec<Supposed<D::Element>>,
+    /// These variables with the ends of their integrals.
+    open_integrals: Vec<(D::Element, End<D::Element>, End<D::Element>)>,
 }
 
 impl<'m, D: Domain> Evaluator<'m, D> {
@@ -142,6 +153,10 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             integrals: 0,
             case: 0,
             cases_met: 0,
+            radix: 1,
+            supposed: Vec::new(),
+            between: Vec::new(),
+            open_integrals: Vec::new(),
         }
     }
 
@@ -246,29 +261,6 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         let result = body(self);
         self.bound.truncate(before);
         result
-    }
-
-    /// The results of `body` in each case of the definitions by cases that it meets, with the number of
-    /// the case from 0; one without a number where it meets none.
-    ///
-    /// # Errors
-    /// The first of `body`.
-    pub fn in_each_case<T, E>(
-        &mut self,
-        mut body: impl FnMut(&mut Self) -> Result<T, E>,
-    ) -> Result<Vec<(Option<usize>, T)>, E> {
-        let mut results = Vec::new();
-        loop {
-            let case = results.len();
-            (self.case, self.cases_met) = (case, 0);
-            let result = body(self);
-            let cases = self.cases_met;
-            (self.case, self.cases_met) = (0, 0);
-            results.push(((cases > 0).then_some(case), result?));
-            if results.len() >= cases {
-                return Ok(results);
-            }
-        }
     }
 
     /// Runs `body` with an index bound to a value.

@@ -46,6 +46,16 @@ impl FunctionTable {
         images: &[(usize, RationalFunction)],
         needed: &BTreeSet<usize>,
     ) -> Possible<Vec<(usize, RationalFunction)>> {
+        self.images_behind(images, needed, false)
+    }
+
+    /// The same; with `roots` evaluated anew where nothing behind them changes too.
+    pub(super) fn images_behind(
+        &self,
+        images: &[(usize, RationalFunction)],
+        needed: &BTreeSet<usize>,
+        roots: bool,
+    ) -> Possible<Vec<(usize, RationalFunction)>> {
         let mut all = images.to_vec();
         // Arguments mention earlier letters only, so that one pass is enough.
         for (letter, function) in self.all() {
@@ -54,11 +64,12 @@ impl FunctionTable {
             }
             let changed =
                 |f: &RationalFunction| occurring(f).iter().any(|l| all.iter().any(|(k, _)| k == l));
-            if !self.arguments(letter).iter().any(changed) {
+            let root = roots && matches!(function, FunctionLetter::Root(_));
+            if !root && !self.arguments(letter).iter().any(changed) {
                 continue;
             }
             let image = |f: &RationalFunction| -> Possible<RationalFunction> {
-                Ok(self.reduce(f.substitute(&all)?))
+                Ok(self.reduce_quadratics(f.substitute(&all)?))
             };
             let value = match function {
                 FunctionLetter::Exponential(u) => self.exponential(&image(&u)?)?,
@@ -70,9 +81,13 @@ impl FunctionTable {
                 FunctionLetter::Power(base, exponent) => {
                     self.power(&image(&base.into())?, &image(&exponent)?)?
                 }
-                _ => continue,
+                FunctionLetter::Pi
+                | FunctionLetter::ImaginaryUnit
+                | FunctionLetter::Bound { .. } => continue,
             };
-            all.push((letter, value));
+            if value != self.variable(letter) {
+                all.push((letter, value));
+            }
         }
         Ok(all)
     }
@@ -86,8 +101,17 @@ impl FunctionTable {
         f: &RationalFunction,
         images: &[(usize, RationalFunction)],
     ) -> Possible<RationalFunction> {
+        Ok(self.reduce(self.substitute_unrefined(f, images)?))
+    }
+
+    /// The same without putting finer letters in place of coarser ones.
+    pub(super) fn substitute_unrefined(
+        &self,
+        f: &RationalFunction,
+        images: &[(usize, RationalFunction)],
+    ) -> Possible<RationalFunction> {
         let all = self.extended(images, &self.letters_behind(f))?;
-        Ok(self.reduce(f.substitute(&all)?))
+        Ok(self.reduce_quadratics(f.substitute(&all)?))
     }
 
     /// The chain rule for a letter of the reserve: its derivative is the sum of the first times

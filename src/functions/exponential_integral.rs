@@ -72,6 +72,14 @@ impl FunctionTable {
                 return Ok(None);
             };
             let antiderivative = self.composed(&found, &exponents, variable, &functions)?;
+            let derivative = self.derivative(&antiderivative, variable)?;
+            if derivative != self.composed(&given, &exponents, variable, &functions)? {
+                return Ok(None);
+            }
+            let infinite = [from, to].into_iter().any(|e| !matches!(e, End::At(_)));
+            if infinite && !functions.angles.iter().all(|a| self.is_real(&a.rate)) {
+                return Ok(None);
+            }
             for (end, sign) in [(to, 1), (from, -1)] {
                 let Some(value) = self.at_end(&antiderivative, &rate, variable, end)? else {
                     return Ok(None);

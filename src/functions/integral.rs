@@ -83,6 +83,9 @@ impl FunctionTable {
                 "limits from the upper to the lower",
             ));
         }
+        if let Some(value) = self.integral_over_distribution(integrand, variable, from, to)? {
+            return Ok(value);
+        }
         let kernels = self.kernels(integrand, variable);
         let half = match (from, to) {
             (End::At(zero), End::Above) if zero.is_zero() => Some(true),
@@ -115,6 +118,55 @@ impl FunctionTable {
             return self.over_axis(&value, half);
         }
         self.integral_with_cosine(integrand, variable, &kernels, half)
+    }
+
+    /// An integral over a Dirac distribution of the variable: the value of its factor where it stands, if
+    /// that is known to lie between the ends, nothing if it is known to lie outside.
+    fn integral_over_distribution(
+        &self,
+        integrand: &RationalFunction,
+        variable: usize,
+        from: &End<RationalFunction>,
+        to: &End<RationalFunction>,
+    ) -> Possible<Option<RationalFunction>> {
+        let found = self.distributions(integrand).into_iter();
+        let mut found = found.filter(|(_, u)| self.letters_behind(u).contains(&variable));
+        let Some((letter, argument)) = found.next() else {
+            return Ok(None);
+        };
+        let beyond = || Impossible::unsupported("an integral over this distribution");
+        let below = RationalFunction::from(integrand.denominator().clone());
+        let parts = integrand.numerator().coefficients_in(letter);
+        let [rest, factor] = parts.as_slice() else {
+            return Err(beyond());
+        };
+        let over = |p: &Polynomial| RationalFunction::from(p.clone()).checked_div(&below);
+        let (rest, factor) = (over(rest)?, over(factor)?);
+        if !self.distributions(&factor).is_empty() {
+            return Err(Impossible::unsupported("a product of distributions"));
+        }
+        let (place, slope) = self.simple_zero(&argument, variable).ok_or_else(beyond)?;
+        // Whether it lies above the lower and below the upper end.
+        let side = |end: &End<RationalFunction>| match end {
+            End::Below => Some(Ordering::Greater),
+            End::Above => Some(Ordering::Less),
+            End::At(end) => self.sign(&(&place - end)),
+        };
+        let value = match (side(from), side(to)) {
+            (Some(Ordering::Greater), Some(Ordering::Less)) => {
+                let there = self.substitute(&factor, &[(variable, place)])?;
+                there.checked_div(&self.absolute(&slope)?)?
+            }
+            (Some(Ordering::Greater), Some(Ordering::Greater))
+            | (Some(Ordering::Less), Some(Ordering::Less)) => self.integer(0),
+            _ => {
+                return Err(Impossible::unsupported(
+                    "an integral whose ends are not known to lie apart from a distribution's place",
+                ));
+            }
+        };
+        let rest = self.integral(&rest, variable, from, to)?;
+        Ok(Some(self.reduce(&value + &rest)))
     }
 
     /// An integral over the whole axis in which the variable's modulus occurs: one over each half.
@@ -367,8 +419,14 @@ impl FunctionTable {
                 FunctionLetter::Cosine(_) => {
                     sum = &sum + &self.cosine_integral(&spectrum, variable, &frequency, half)?;
                 }
-                // The sine is odd: over the whole axis nothing is left beside an even factor.
-                _ if !half && is_even(&spectrum, variable) => {}
+                // The sine is odd: over the whole axis nothing is left beside an even factor, if that is
+                // integrable by itself.
+                _ if !half && is_even(&spectrum, variable) => {
+                    self.integral_of_spectrum(&spectrum, variable)?;
+                    if !self.is_real(&frequency) {
+                        return Err(beyond());
+                    }
+                }
                 _ => return Err(beyond()),
             }
         }
@@ -404,7 +462,13 @@ impl FunctionTable {
                     .unwrap_or_else(|| Polynomial::zero(self.ring))
                     .into()
             };
-            // What the spectrum tends to is white.
+            // What the spectrum tends to is white: a distribution in the frequency, where that may
+            // vanish. At a frequency that does not, the oscillation goes on for ever.
+            if self.sign(frequency).is_some() {
+                return Err(Impossible::divergent(
+                    "the integrand oscillates without end",
+                ));
+            }
             let white = last(spectrum.numerator()).checked_div(&last(spectrum.denominator()))?;
             proper = &proper - &white;
             value = &white * &self.dirac(frequency)?;

@@ -7,26 +7,44 @@
 //! radicands into factors, so that `e^{-2at}` is a power of `e^{-at}`. Roots, i and sines are
 //! quadratic over the letters before them: elements are kept in the [normal form](quadratic) in
 //! which they occur linearly in the numerator and not at all in the denominator (the tower of
-//! extensions of Risch 1969, here with quadratic steps). All symbols stand for real numbers.
+//! extensions of Risch 1969, here with quadratic steps). Where a fraction of an argument comes after
+//! the argument, the finer letter takes the place of the coarser one (`refinement`). Symbols stand for
+//! the numbers of their ranges, real ones unless told; what is true of real numbers only is used where
+//! an element is known to be real (`bounds`).
+//!
+//! Every relation that is used is true at every admitted point, so that what is equal in the letters is
+//! equal. Different normal forms show nothing unless [`FunctionTable::is_independent`].
 //!
 //! Invariants: an argument mentions only letters that were given out before; the table only grows, but for
 //! letters that are taken back once nothing uses them.
 
+mod angle;
+mod bounds;
 mod calculus;
+mod distribution;
 mod elementary;
 pub mod enclosure;
+mod exponential;
 mod exponential_integral;
 pub mod integral;
 pub mod quadratic;
+mod refinement;
+mod root;
 mod sign;
+mod supposition;
+mod tower;
 
 pub use calculus::ChainStep;
-pub(crate) use elementary::square_root_of;
+pub use sign::{Sign, SignCertificate, SignFact};
+pub use supposition::Supposed;
+pub(crate) use tower::square_root_of;
 
 use crate::expr::Function;
+use crate::model::range::Range;
 use integral::End;
 use quadratic::Quadratic;
 use ratpoly::{Polynomial, RationalFunction, Ring};
+use refinement::Finer;
 use sign::KnownSigns;
 use std::cmp::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -44,7 +62,7 @@ pub enum FunctionLetter {
     Cosine(RationalFunction),
     /// `sin argument`, by the letter of the cosine of the same argument.
     Sine(RationalFunction, usize),
-    /// The nonnegative root of a polynomial.
+    /// The principal root of a polynomial: not negative where that is not.
     Root(Polynomial),
     /// `base^exponent`, the base positive.
     Power(Polynomial, RationalFunction),
@@ -138,6 +156,12 @@ pub trait Functions<E> {
     fn chain(&self, letter: usize) -> Option<Possible<Vec<(E, E)>>>;
     /// The sign of an element, if it has one.
     fn sign(&self, element: &E) -> Option<Ordering>;
+    /// What is known of the sign of an element where all of this is supposed.
+    fn sign_where(&self, element: &E, supposed: &[Supposed<E>]) -> Option<Sign>;
+    /// The element with its functions evaluated anew where all of this is supposed.
+    fn value_where(&self, element: &E, supposed: &[Supposed<E>]) -> Possible<E>;
+    /// Whether an element depends on the variable of an integral.
+    fn depends_on_bound(&self, element: &E) -> bool;
 }
 
 /// Which letters of a ring stand for which functions.
@@ -146,9 +170,12 @@ pub struct FunctionTable {
     ring: Ring,
     /// The reserve: the last letters of the ring, from this one on.
     first: usize,
-    /// Whether each letter before the reserve is known to be positive.
-    positive: Arc<Vec<bool>>,
+    /// Which numbers each letter before the reserve stands for.
+    ranges: Arc<Vec<Range>>,
     given: Arc<Mutex<Given>>,
+    /// What is not negative, or positive, besides: cases and hypotheses.
+    supposed: Arc<Vec<Supposed<RationalFunction>>>,
+    signs: Arc<Mutex<KnownSigns>>,
 }
 
 /// What was given out.
@@ -156,17 +183,21 @@ pub struct FunctionTable {
 struct Given {
     letters: Vec<FunctionLetter>,
     quadratics: Arc<Vec<Quadratic>>,
-    signs: KnownSigns,
+    finer: Vec<Finer>,
+    /// How often letters were taken back: what is remembered of them is void then.
+    generation: u64,
 }
 
 impl FunctionTable {
-    /// A table for the letters of a ring beyond those whose positivity is given.
-    pub fn new(ring: Ring, positive: Vec<bool>) -> Self {
+    /// A table for the letters of a ring beyond those whose ranges are given.
+    pub fn new(ring: Ring, ranges: Vec<Range>) -> Self {
         FunctionTable {
             ring,
-            first: positive.len(),
-            positive: Arc::new(positive),
+            first: ranges.len(),
+            ranges: Arc::new(ranges),
             given: Arc::default(),
+            supposed: Arc::default(),
+            signs: Arc::default(),
         }
     }
 
@@ -187,10 +218,13 @@ impl FunctionTable {
         let forked = Given {
             letters: given.letters.clone(),
             quadratics: Arc::clone(&given.quadratics),
-            signs: KnownSigns::default(),
+            finer: given.finer.clone(),
+            generation: given.generation,
         };
+        drop(given);
         FunctionTable {
             given: Arc::new(Mutex::new(forked)),
+            signs: Arc::default(),
             ..self.clone()
         }
     }
@@ -256,7 +290,8 @@ impl FunctionTable {
         let mut given = self.lock();
         given.letters.truncate(count);
         let end = self.first + count;
-        given.signs.take_back(end);
+        given.generation += 1;
+        given.finer.retain(|f| f.fine < end && f.coarse < end);
         if given.quadratics.iter().any(|q| q.letter >= end) {
             let kept = given.quadratics.iter().filter(|q| q.letter < end);
             given.quadratics = Arc::new(kept.cloned().collect());
@@ -293,39 +328,17 @@ impl FunctionTable {
 
     /// The normal form of an element.
     pub fn reduce(&self, f: RationalFunction) -> RationalFunction {
+        self.reduce_quadratics(self.refined(f))
+    }
+
+    /// The normal form over the quadratic letters, coarser letters left as they are.
+    fn reduce_quadratics(&self, f: RationalFunction) -> RationalFunction {
         let quadratics = self.quadratics();
         if quadratics.is_empty() {
             f
         } else {
             quadratic::reduce(f, &quadratics)
         }
-    }
-
-    /// Whether a letter is known to be positive.
-    pub fn is_positive_letter(&self, letter: usize) -> bool {
-        if letter < self.first {
-            return self.positive[letter];
-        }
-        match self.meaning(letter) {
-            Some(
-                FunctionLetter::Pi
-                | FunctionLetter::Exponential(_)
-                | FunctionLetter::Power(..)
-                | FunctionLetter::Bound { positive: true, .. },
-            ) => true,
-            Some(FunctionLetter::Root(radicand)) => {
-                self.sign(&radicand.into()) == Some(Ordering::Greater)
-            }
-            _ => false,
-        }
-    }
-
-    /// Whether a letter stands for real numbers and nothing else.
-    fn is_real_letter(&self, letter: usize) -> bool {
-        !matches!(
-            self.meaning(letter),
-            Some(FunctionLetter::ImaginaryUnit | FunctionLetter::Dirac(_))
-        )
     }
 }
 
@@ -373,5 +386,24 @@ impl Functions<RationalFunction> for FunctionTable {
     }
     fn sign(&self, element: &RationalFunction) -> Option<Ordering> {
         FunctionTable::sign(self, element)
+    }
+    fn sign_where(
+        &self,
+        element: &RationalFunction,
+        supposed: &[Supposed<RationalFunction>],
+    ) -> Option<Sign> {
+        self.supposing(supposed).known_sign(element)
+    }
+    fn value_where(
+        &self,
+        element: &RationalFunction,
+        supposed: &[Supposed<RationalFunction>],
+    ) -> Possible<RationalFunction> {
+        self.supposing(supposed).anew(element)
+    }
+    fn depends_on_bound(&self, element: &RationalFunction) -> bool {
+        self.letters_behind(element)
+            .into_iter()
+            .any(|letter| Functions::is_bound(self, letter))
     }
 }

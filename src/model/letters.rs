@@ -8,6 +8,7 @@ use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::functions::FunctionTable;
 use crate::latex;
 use crate::model::links::Place;
+use crate::model::range::{Numbers, Range};
 use num_traits::Signed;
 use ratpoly::{Order, Ring};
 use std::collections::{BTreeMap, BTreeSet};
@@ -169,20 +170,58 @@ impl Model {
         }
         let reserved = |l: &Letter| matches!(l, Letter::Function { .. });
         if self.letters.iter().any(reserved) {
-            let positive = self
-                .letters
-                .iter()
-                .filter(|l| !reserved(l))
-                .map(|l| match l {
-                    Letter::Symbol { symbol, order } => {
-                        *order == 0 && self.symbols[*symbol].range.is_positive()
-                    }
-                    Letter::Abbreviation { definition } => self.is_positive_definition(*definition),
-                    Letter::Function { .. } => false,
-                })
+            let ranges = (0..self.letters.len())
+                .filter(|l| !reserved(&self.letters[*l]))
+                .map(|l| self.range_of(l))
                 .collect();
-            self.functions = Some(FunctionTable::new(self.ring, positive));
+            self.functions = Some(FunctionTable::new(self.ring, ranges));
         }
+    }
+
+    /// Which numbers a letter of the ring stands for, as far as declarations tell.
+    pub(crate) fn range_of(&self, letter: usize) -> Range {
+        match &self.letters[letter] {
+            Letter::Symbol { symbol, order: 0 } => self.symbols[*symbol].range.clone(),
+            // The derivative of a positive process has any sign, that of a complex one any value.
+            Letter::Symbol { symbol, .. } => match self.symbols[*symbol].range.numbers {
+                Numbers::Complex => Range {
+                    numbers: Numbers::Complex,
+                    ..Range::default()
+                },
+                Numbers::Real | Numbers::Integer => Range::default(),
+            },
+            Letter::Abbreviation { definition } => self.range_of_definition(*definition),
+            Letter::Function { .. } => Range::default(),
+        }
+    }
+
+    /// The values of an abbreviation: positive where it is put together from positive parts, complex
+    /// where a part is.
+    fn range_of_definition(&self, d: usize) -> Range {
+        if self.is_positive_definition(d) {
+            return Range::positive();
+        }
+        let definition = &self.definitions[d];
+        let display = &self.equations[definition.equation].display;
+        let mut range = Range::default();
+        if let Some(value) = definition.place.find(display) {
+            links::visit(value, &mut |e| {
+                let ExprKind::Name(name) = &e.kind else {
+                    return;
+                };
+                let numbers = match self.names.whole.get(&latex::canonical(name)) {
+                    Some(Node::Symbol(s)) => self.symbols[*s].range.numbers,
+                    Some(Node::Definition(other)) if *other < d => {
+                        self.range_of_definition(*other).numbers
+                    }
+                    _ => Numbers::Real,
+                };
+                if numbers == Numbers::Complex {
+                    range.numbers = Numbers::Complex;
+                }
+            });
+        }
+        range
     }
 
     /// Whether an abbreviation is put together from positive parts without a minus sign.

@@ -154,12 +154,13 @@ fn leading(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::range::Range;
     use ratpoly::{Order, Ring};
 
     #[test]
     fn powers_with_letters_in_the_exponent() {
         let ring = Ring::new(["x", "w", "c", "r0", "r1"], Order::Grevlex).unwrap();
-        let table = FunctionTable::new(ring, vec![true, true, true]);
+        let table = FunctionTable::new(ring, vec![Range::positive(); 3]);
         let [x, w, c] = [0, 1, 2].map(|l| RationalFunction::variable(ring, l));
         let fall = c.checked_div(&table.power(&x, &w).unwrap()).unwrap();
         let at = |f: &RationalFunction, towards| limit(&table, f, 0, towards).unwrap();

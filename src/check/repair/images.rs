@@ -91,6 +91,11 @@ impl Images {
         }
         let free = SplitMix(self.seed ^ (letter as u64).wrapping_mul(0xA24B_AED4_963E_E407)).next();
         let field = PrimeField;
+        let table = self.table.as_ref()?;
+        if let Some(finer) = table.in_finer_letters(letter) {
+            // Other elements may hold the finer letter: its image decides.
+            return self.image(&finer).ok();
+        }
         let image = match meaning {
             FunctionLetter::ImaginaryUnit => field.square_root(PRIME - 1),
             FunctionLetter::Dirac(_) => None,

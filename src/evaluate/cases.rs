@@ -1,0 +1,387 @@
+//! Definitions by cases and ranges of definitions.
+//!
+//! A condition that is true for all admitted values picks its case, one that is false for all leaves it out. Where
+//! several cases are left, the evaluation is done once for each combination of choices, each time supposing the
+//! conditions of what was chosen, so that a second look at the same condition chooses the same. A path of
+//! choices is a number in mixed radix: the first choice is its lowest digit.
+//!
+//! A condition that is linear in the variable of an integral holds between the ends if it holds at both. One that
+//! holds at one end only is refused: there one case after the other would have to be integrated over its own part.
+
+use super::{Evaluator, Failure, FailureKind, Value};
+use crate::domain::Domain;
+use crate::expr::{Chain, Expr, ExprKind, Name, Relation, Sign};
+use crate::functions::integral::End;
+use crate::functions::{Sign as KnownSign, Supposed};
+use crate::latex;
+use crate::model::Definition;
+use crate::span::Span;
+
+/// The most combinations of cases that are looked at.
+const MOST_CASES: usize = 64;
+
+type Result<T> = std::result::Result<T, Failure>;
+
+/// What becomes of a condition.
+enum Standing<E> {
+    /// True for all admitted values.
+    True,
+    /// False for all of them.
+    False,
+    /// True where this is so.
+    Open(Vec<Supposed<E>>),
+    /// True all the way between the ends of an integral where this is so.
+    Between(Vec<Supposed<E>>),
+}
+
+impl<D: Domain> Evaluator<'_, D> {
+    /// Looks at one combination of cases from now on, numbered from 0.
+    pub(crate) fn begin_case(&mut self, case: usize) {
+        (self.case, self.cases_met, self.radix) = (case, 0, 1);
+        self.supposed.clear();
+    }
+
+    /// The results of `body` in each case of the definitions by cases that it meets, with the number of
+    /// the case from 0; one without a number where it meets none.
+    ///
+    /// # Errors
+    /// The first of `body`.
+    pub fn in_each_case<T, E>(
+        &mut self,
+        mut body: impl FnMut(&mut Self) -> std::result::Result<T, E>,
+    ) -> std::result::Result<Vec<(Option<usize>, T)>, E> {
+        let mut results = Vec::new();
+        let mut most = 0;
+        loop {
+            let case = results.len();
+            self.begin_case(case);
+            let result = body(self);
+            // Some paths have more choices than others; their prefixes come first.
+            most = most.max(self.cases_met);
+            self.begin_case(0);
+            results.push(((most > 1).then_some(case), result?));
+            if results.len() >= most {
+                return Ok(results);
+            }
+        }
+    }
+
+    /// A value with its functions evaluated anew under what the case supposes.
+    pub(crate) fn in_this_case(&self, value: Value<D::Element>) -> Value<D::Element> {
+        let Some(functions) = self.field.functions() else {
+            return value;
+        };
+        if self.cases_met == 0 || self.supposed.is_empty() {
+            return value;
+        }
+        let anew = |element: &D::Element| -> std::result::Result<D::Element, Failure> {
+            let value = functions.value_where(element, &self.supposed);
+            Ok(value.unwrap_or_else(|_| element.clone()))
+        };
+        value.try_map(anew).unwrap_or(value)
+    }
+
+    /// The value in the case that is looked at, among those that the conditions do not exclude.
+    pub(super) fn by_cases(
+        &mut self,
+        cases: &[(Expr, Vec<Chain>)],
+        span: Span,
+    ) -> Result<Value<D::Element>> {
+        if self.cases_met == 0 {
+            self.begin_case(self.case);
+        }
+        let mut admitted = Vec::new();
+        let mut between = false;
+        for (value, conditions) in cases {
+            match self.standing(conditions)? {
+                Standing::False => {}
+                Standing::True if admitted.is_empty() => return self.expression(value),
+                Standing::True => {
+                    admitted.push((value, Vec::new()));
+                    break;
+                }
+                Standing::Open(supposed) => admitted.push((value, supposed)),
+                Standing::Between(supposed) => {
+                    between = true;
+                    admitted.push((value, supposed));
+                }
+            }
+        }
+        let choices = admitted.len();
+        if between && choices > 1 {
+            return Err(Failure::unsupported(
+                "a definition by cases under an integral",
+                span,
+            ));
+        }
+        let choice = match self.field.functions() {
+            _ if choices == 0 => {
+                return Err(Failure::unsupported(
+                    "an argument outside of every case",
+                    span,
+                ));
+            }
+            // Without signs no condition is recognised a second time: one choice for all.
+            None => {
+                self.cases_met = self.cases_met.max(choices);
+                self.case.min(choices - 1)
+            }
+            Some(_) => {
+                let choice = self.case / self.radix % choices;
+                self.radix *= choices;
+                if self.radix > MOST_CASES {
+                    return Err(Failure::new(
+                        FailureKind::Budget {
+                            what: "combinations of cases".into(),
+                        },
+                        span,
+                    ));
+                }
+                self.cases_met = self.cases_met.max(self.radix);
+                choice
+            }
+        };
+        let (value, supposed) = admitted.swap_remove(choice);
+        self.supposed.extend(supposed);
+        self.expression(value)
+    }
+
+    /// Supposes that the letters of a function lie in the range that stands beside its definition.
+    pub(super) fn suppose_range(&mut self, range: &[Chain], span: Span) -> Result<()> {
+        if range.is_empty() {
+            return Ok(());
+        }
+        if self.cases_met == 0 {
+            self.begin_case(self.case);
+        }
+        match self.standing(range)? {
+            Standing::True => Ok(()),
+            Standing::False => Err(Failure::unsupported(
+                "an argument outside of the range of its definition",
+                span,
+            )),
+            Standing::Open(supposed) | Standing::Between(supposed) => {
+                self.cases_met = self.cases_met.max(self.radix);
+                self.supposed.extend(supposed);
+                Ok(())
+            }
+        }
+    }
+
+    /// The chains beside a definition that say between what its letters lie.
+    pub(super) fn range_of(&self, definition: &Definition, parameters: &[Name]) -> Vec<Chain> {
+        let display = self.display(definition.equation);
+        let order = |relation: &Relation| match relation {
+            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual => {
+                true
+            }
+            Relation::Equal
+            | Relation::NotEqual
+            | Relation::Distributed
+            | Relation::Approximately
+            | Relation::Tends => false,
+        };
+        let is_letter = |e: &Expr| match &e.kind {
+            ExprKind::Name(name) => parameters
+                .iter()
+                .any(|p| latex::canonical(p) == latex::canonical(name)),
+            _ => false,
+        };
+        display
+            .clauses
+            .iter()
+            .map(|clause| &clause.chain)
+            .filter(|chain| chain.members.iter().any(is_letter))
+            .filter(|chain| !chain.relations.is_empty() && chain.relations.iter().all(order))
+            .cloned()
+            .collect()
+    }
+
+    /// Whether conditions hold together.
+    fn standing(&mut self, conditions: &[Chain]) -> Result<Standing<D::Element>> {
+        if self.field.functions().is_none() {
+            return Ok(Standing::Open(Vec::new()));
+        }
+        let mut open = Vec::new();
+        let (mut undecided, mut between) = (false, false);
+        for condition in conditions {
+            let pairs = condition.members.windows(2).zip(&condition.relations);
+            for (pair, relation) in pairs {
+                let [left, right] = pair else { continue };
+                match self.standing_of(left, *relation, right)? {
+                    Standing::True => {}
+                    Standing::False => return Ok(Standing::False),
+                    Standing::Open(supposed) => {
+                        undecided = true;
+                        open.extend(supposed);
+                    }
+                    Standing::Between(supposed) => {
+                        between = true;
+                        open.extend(supposed);
+                    }
+                }
+            }
+        }
+        Ok(match (between, undecided) {
+            (true, _) => Standing::Between(open),
+            (false, true) => Standing::Open(open),
+            (false, false) => Standing::True,
+        })
+    }
+
+    fn standing_of(
+        &mut self,
+        left: &Expr,
+        relation: Relation,
+        right: &Expr,
+    ) -> Result<Standing<D::Element>> {
+        let (left, relation, right) = match relation {
+            Relation::Greater => (right, Relation::Less, left),
+            Relation::GreaterEqual => (right, Relation::LessEqual, left),
+            other => (left, other, right),
+        };
+        match (infinite(left), infinite(right)) {
+            (None, None) => {}
+            (Some(Sign::Minus), None) | (_, Some(Sign::Plus)) => return Ok(Standing::True),
+            (Some(Sign::Plus), _) | (_, Some(Sign::Minus)) => return Ok(Standing::False),
+        }
+        let span = left.span.to(right.span);
+        let unsupported = |what: &str| Err(Failure::unsupported(what, span));
+        let scalar = |value: Value<D::Element>, zero: D::Element| match value {
+            Value::Scalar(value) => Some(value),
+            Value::Zero => Some(zero),
+            Value::Matrix(_) => None,
+        };
+        let (Some(lower), Some(upper)) = (
+            scalar(self.expression(left)?, self.field.integer(0)),
+            scalar(self.expression(right)?, self.field.integer(0)),
+        ) else {
+            return unsupported("a condition on matrices");
+        };
+        let difference = self.field.subtract(&upper, &lower);
+        let Some(functions) = self.field.functions() else {
+            return Ok(Standing::Open(Vec::new()));
+        };
+        let known: Vec<_> = self.supposed.iter().chain(&self.between).cloned().collect();
+        let sign = functions.sign_where(&difference, &known);
+        let standing = match (relation, sign) {
+            (Relation::Less, Some(KnownSign::Positive)) => Some(true),
+            (Relation::Less, Some(sign)) if sign.is_not_positive() => Some(false),
+            (Relation::LessEqual, Some(sign)) if sign.is_not_negative() => Some(true),
+            (Relation::LessEqual, Some(KnownSign::Negative)) => Some(false),
+            (Relation::Equal, Some(KnownSign::Zero)) => Some(true),
+            (Relation::NotEqual, Some(KnownSign::Zero)) => Some(false),
+            (Relation::Equal, Some(KnownSign::Positive | KnownSign::Negative)) => Some(false),
+            (Relation::NotEqual, Some(KnownSign::Positive | KnownSign::Negative)) => Some(true),
+            _ => None,
+        };
+        match standing {
+            Some(true) => return Ok(Standing::True),
+            Some(false) => return Ok(Standing::False),
+            None => {}
+        }
+        if functions.depends_on_bound(&difference) {
+            return match relation {
+                Relation::Less | Relation::LessEqual => self.standing_between(&difference, span),
+                _ => unsupported("a definition by cases under an integral"),
+            };
+        }
+        match relation {
+            Relation::Less | Relation::LessEqual => Ok(Standing::Open(vec![Supposed {
+                element: difference,
+                strict: relation == Relation::Less,
+            }])),
+            Relation::NotEqual => Ok(Standing::Open(Vec::new())),
+            Relation::Equal => unsupported("a case on one value of a letter"),
+            Relation::Greater
+            | Relation::GreaterEqual
+            | Relation::Distributed
+            | Relation::Approximately
+            | Relation::Tends => unsupported("such a condition of a case"),
+        }
+    }
+
+    /// Whether something that depends on the variable of an integral is not negative between its ends; at
+    /// single points it may be.
+    fn standing_between(
+        &self,
+        difference: &D::Element,
+        span: Span,
+    ) -> Result<Standing<D::Element>> {
+        let refused = || Failure::unsupported("a definition by cases under an integral", span);
+        let functions = self.field.functions().ok_or_else(refused)?;
+        let occurring = self.field.letters(difference);
+        let mut variables =
+            self.open_integrals
+                .iter()
+                .filter_map(|open| match self.field.letters(&open.0)[..] {
+                    [letter] if occurring.contains(&letter) => Some((letter, open)),
+                    _ => None,
+                });
+        let (Some((letter, (variable, from, to))), None) = (variables.next(), variables.next())
+        else {
+            return Err(refused());
+        };
+        let partials = self
+            .field
+            .partial_derivatives(difference)
+            .unwrap_or_default();
+        let mut own = partials.into_iter().filter(|(l, _)| *l == letter);
+        let slope = own.next().map(|(_, slope)| slope).ok_or_else(refused)?;
+        if functions.depends_on_bound(&slope) {
+            return Err(refused());
+        }
+        let mut open = Vec::new();
+        let mut ends = Vec::new();
+        for end in [from, to] {
+            let sign = match end {
+                End::At(end) => {
+                    let step = self.field.subtract(end, variable);
+                    let step = self.field.multiply(&slope, &step);
+                    let there = self.field.add(difference, &step);
+                    if functions.depends_on_bound(&there) {
+                        return Err(refused());
+                    }
+                    let sign = functions.sign_where(&there, &self.supposed);
+                    if !sign.is_some_and(|s| s.is_not_negative() || s == KnownSign::Negative) {
+                        open.push(Supposed {
+                            element: there,
+                            strict: false,
+                        });
+                    }
+                    sign
+                }
+                End::Above => functions.sign_where(&slope, &self.supposed),
+                End::Below => functions
+                    .sign_where(&slope, &self.supposed)
+                    .map(KnownSign::reversed),
+            };
+            ends.push(match sign {
+                Some(sign) if sign.is_not_negative() => Some(true),
+                Some(KnownSign::Negative) => Some(false),
+                Some(_) | None => match end {
+                    End::At(_) => None,
+                    End::Above | End::Below => return Err(refused()),
+                },
+            });
+        }
+        match ends[..] {
+            [Some(true), Some(true)] => Ok(Standing::True),
+            [Some(false), Some(false)] => Ok(Standing::False),
+            [Some(true) | None, Some(true) | None] => Ok(Standing::Between(open)),
+            _ => Err(refused()),
+        }
+    }
+}
+
+/// Which infinity an expression is.
+fn infinite(expr: &Expr) -> Option<Sign> {
+    match &expr.kind {
+        ExprKind::Infinity => Some(Sign::Plus),
+        ExprKind::Sum(terms) => match terms.as_slice() {
+            [(sign, term)] if term.kind == ExprKind::Infinity => Some(*sign),
+            _ => None,
+        },
+        _ => None,
+    }
+}
