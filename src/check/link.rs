@@ -10,7 +10,7 @@ use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
-use crate::verdict::{Positivity, Refutation, Verdict};
+use crate::verdict::{CounterProof, Positivity, Refutation, Verdict};
 use num_traits::Signed;
 use ratpoly::RationalFunction;
 
@@ -193,6 +193,14 @@ impl Checker<'_> {
                         Some(refutation) => self.repaired(equation, link, refutation),
                         None => self.failed(&failure),
                     };
+                }
+                // An integral without a value equals nothing.
+                FailureKind::Divergent { reason, .. } if self.is_printed_in(equation, &failure) => {
+                    let proof = CounterProof::Divergent {
+                        reason: reason.clone(),
+                    };
+                    let refutation = Refutation::by_counter_proof(proof);
+                    return self.repaired(equation, link, refutation);
                 }
                 _ => return self.failed(&failure),
             },

@@ -14,7 +14,7 @@ use crate::expr::{Chain, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::integral::End;
 use crate::functions::{Sign as KnownSign, Supposed};
 use crate::latex;
-use crate::model::Definition;
+use crate::model::{Definition, Letter};
 use crate::span::Span;
 
 /// The most combinations of cases that are looked at.
@@ -154,13 +154,26 @@ impl<D: Domain> Evaluator<'_, D> {
         if self.cases_met == 0 {
             self.begin_case(self.case);
         }
-        match self.standing(range)? {
-            Standing::True => Ok(()),
-            Standing::False => Err(Failure::unsupported(
+        // Ends that are letters are as far out as an integral needs them.
+        let by_letters = !self.open_integrals.is_empty()
+            && range.iter().flat_map(|chain| &chain.members).any(|member| {
+                let value = self.expression(member);
+                let letters = |v: Value<D::Element>| {
+                    let entries = v.entries().into_iter();
+                    let mut all = entries.flat_map(|e| self.field.letters(e));
+                    all.any(|letter| matches!(self.model.letters[letter], Letter::Symbol { .. }))
+                };
+                value.is_ok_and(letters)
+            });
+        match self.standing(range) {
+            Ok(Standing::False) | Err(_) if by_letters => Ok(()),
+            Err(failure) => Err(failure),
+            Ok(Standing::True) => Ok(()),
+            Ok(Standing::False) => Err(Failure::unsupported(
                 "an argument outside of the range of its definition",
                 span,
             )),
-            Standing::Open(supposed) | Standing::Between(supposed) => {
+            Ok(Standing::Open(supposed) | Standing::Between(supposed)) => {
                 self.cases_met = self.cases_met.max(self.radix);
                 self.supposed.extend(supposed);
                 Ok(())

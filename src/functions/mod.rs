@@ -176,6 +176,8 @@ pub struct FunctionTable {
     /// What is not negative, or positive, besides: cases and hypotheses.
     supposed: Arc<Vec<Supposed<RationalFunction>>>,
     signs: Arc<Mutex<KnownSigns>>,
+    /// Whether integrals may be distributions.
+    distributions: bool,
 }
 
 /// What was given out.
@@ -198,6 +200,17 @@ impl FunctionTable {
             given: Arc::default(),
             supposed: Arc::default(),
             signs: Arc::default(),
+            distributions: false,
+        }
+    }
+
+    /// The same table where integrals that oscillate without end are distributions in their frequency,
+    /// as a document means them that declares the Dirac distribution.
+    #[must_use]
+    pub fn with_distributions(self) -> Self {
+        FunctionTable {
+            distributions: true,
+            ..self
         }
     }
 

@@ -174,7 +174,12 @@ impl Model {
                 .filter(|l| !reserved(&self.letters[*l]))
                 .map(|l| self.range_of(l))
                 .collect();
-            self.functions = Some(FunctionTable::new(self.ring, ranges));
+            let table = FunctionTable::new(self.ring, ranges);
+            let dirac = |n: &Notation| matches!(n.kind, NotationKind::Dirac);
+            self.functions = Some(match self.notation.iter().any(dirac) {
+                true => table.with_distributions(),
+                false => table,
+            });
         }
     }
 

@@ -510,6 +510,9 @@ fn excluded(proof: &CounterProof) -> Prose {
         CounterProof::Limit(Limit::To(value)) if value.is_zero() => Prose::of("it tends to zero"),
         CounterProof::Limit(Limit::To(_)) => Prose::of("it tends to something else"),
         CounterProof::Distribution { .. } => Prose::new(),
+        CounterProof::Divergent { reason } => {
+            Prose::of(format!("the integral has no value: {reason}"))
+        }
         CounterProof::Unstable { order, determinant } => Prose::of(
             "no stationary covariance: the system is not stable, its Hurwitz determinant ",
         )

@@ -62,6 +62,11 @@ pub enum Structure {
 pub enum CounterProof {
     /// The limit is another one.
     Limit(Limit),
+    /// An integral in it has no value.
+    Divergent {
+        /// Why.
+        reason: String,
+    },
     /// Against a test function the two sides give different numbers: the multiple of the Dirac
     /// distribution of this argument that left minus right contains is not zero at a point.
     Distribution {
