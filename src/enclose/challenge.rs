@@ -4,6 +4,7 @@ use super::compare::{Comparison, Shown};
 use super::failure::NoValue;
 use super::points::{NoPoint, Points};
 use super::world::World;
+use crate::expr::Relation;
 use crate::model::Hypothesis;
 use crate::model::links::Link;
 use crate::stack::with_deep_stack;
@@ -75,8 +76,14 @@ fn at_points(
             return outcome;
         }
     };
-    for _ in 0..budget.tries {
-        if outcome.evaluated >= budget.points {
+    // An inequality is violated on a part of the points only.
+    let times = if link.relation == Relation::Equal {
+        1
+    } else {
+        4
+    };
+    for _ in 0..times * budget.tries {
+        if outcome.evaluated >= times * budget.points {
             break;
         }
         let point = match points.next() {

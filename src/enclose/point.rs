@@ -27,6 +27,7 @@ enum Style {
     Reference,
     Mixed,
     Negative,
+    Zero,
     Special,
     Scales,
     Small,
@@ -215,8 +216,9 @@ impl Point {
             1 if has_reference => Style::Reference,
             1 | 2 => Style::Mixed,
             3 => Style::Negative,
-            4 => Style::Special,
+            4 => Style::Zero,
             5 => Style::Scales,
+            6 => Style::Special,
             n => match n % 5 {
                 0 => Style::Special,
                 1 => Style::Mixed,
@@ -240,6 +242,7 @@ impl Point {
             Style::Positive | Style::Reference => ratio(numerator, 1 + pick(16, 4) as i64),
             Style::Mixed => signed(ratio(numerator, 1 + pick(16, 5) as i64)),
             Style::Negative => -ratio(numerator, 1 + pick(16, 4) as i64),
+            Style::Zero => integer(0),
             Style::Special => match pick(16, 8) {
                 0 | 1 => integer(0),
                 2 | 3 => integer(1),
