@@ -20,12 +20,12 @@ use crate::span::Span;
 use num_rational::BigRational;
 
 /// The order of the remainder.
-const ORDER: usize = 12;
+const ORDER: usize = 10;
 /// A panel is small enough when its remainder is below 2 to this beside the integrand.
-const ENOUGH: i64 = -44;
+const ENOUGH: i64 = -34;
 /// How often a panel is halved, and how many panels there are at most.
 const DEEPEST: u32 = 10;
-const MOST_PANELS: usize = 160;
+const MOST_PANELS: usize = 96;
 
 impl Evaluator<'_, '_> {
     pub(super) fn integral(
