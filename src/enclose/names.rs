@@ -275,7 +275,7 @@ impl Evaluator<'_, '_> {
                     .map_err(fail)
             }
             NotationKind::Dirac => Err(Reason::Unsupported("the Dirac distribution").at(span)),
-            NotationKind::Covariance(_) => Err(Reason::Unsupported("an expectation").at(span)),
+            NotationKind::Covariance(covariance) => self.expectation(&covariance.product, span),
         }
     }
 

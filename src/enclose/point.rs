@@ -41,6 +41,8 @@ pub struct Point {
     fixed: BTreeMap<(usize, u8), Complex>,
     /// The highest derivative of a process whose derivatives an equation determines.
     highest: BTreeMap<usize, u8>,
+    /// Whether equations between letters must be seen to be exactly true.
+    pub(super) verify: bool,
     /// What equations between letters are about.
     pub(super) tangle: Arc<Tangle>,
 }
@@ -85,6 +87,7 @@ impl Point {
             ranges,
             fixed: BTreeMap::new(),
             highest: BTreeMap::new(),
+            verify: false,
             tangle,
         }
     }
@@ -104,6 +107,12 @@ impl Point {
     #[must_use]
     pub fn with(mut self, symbol: usize, order: u8, value: Complex) -> Self {
         self.fixed.insert((symbol, order), value);
+        self
+    }
+
+    /// The same, where equations between letters must be seen to be exactly true.
+    pub(super) fn to_be_verified(mut self) -> Self {
+        self.verify = true;
         self
     }
 

@@ -180,7 +180,8 @@ impl<'w, 'm> Points<'w, 'm> {
         for hypothesis in &self.hypotheses {
             let truth = evaluator.is_true(hypothesis)?;
             // An equation was solved: that its sides are enclosed only says nothing against it.
-            let solved = hypothesis.relation == Relation::Equal && truth == Truth::Unknown;
+            let equation = hypothesis.relation == Relation::Equal && !point.verify;
+            let solved = equation && truth == Truth::Unknown;
             if truth != Truth::True && !solved {
                 return Ok(false);
             }

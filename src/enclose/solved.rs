@@ -349,19 +349,38 @@ impl<'w, 'm> Solver<'w, 'm> {
             .copied()
             .collect();
         candidates.sort_by_key(|l| (elsewhere.contains(l), std::cmp::Reverse(l.1), l.0));
-        for linear in [true, false] {
-            for letter in &candidates {
-                let solved = if linear {
-                    let entry = Some(equation.entry);
-                    self.linearly(&point, equation.hypothesis, entry, &[*letter], moving)
-                } else {
-                    self.by_root(&point, *equation, *letter, moving)
-                };
-                let Some(solved) = solved else { continue };
-                let mut locked = locked.clone();
-                locked.extend(&used);
-                if let Some(found) = self.all(solved, rest, &locked) {
-                    return Some(found);
+        let mut rounds = vec![candidates];
+        // An equation between matrices is evaluated as a whole: what it used, this entry need not have
+        // used. With letters that others may need only what is exactly true in the end counts.
+        let others = used.iter().filter(|l| locked.contains(l));
+        let others = others.filter(|l| !point.is_fixed(l.0, l.1));
+        rounds.push(
+            others
+                .filter(|l| !moving || processes(l))
+                .copied()
+                .collect(),
+        );
+        for (round, candidates) in rounds.iter().enumerate() {
+            for linear in [true, false] {
+                if !linear && round > 0 {
+                    continue;
+                }
+                for letter in candidates {
+                    let solved = if linear {
+                        let entry = Some(equation.entry);
+                        self.linearly(&point, equation.hypothesis, entry, &[*letter], moving)
+                    } else {
+                        self.by_root(&point, *equation, *letter, moving)
+                    };
+                    let Some(mut solved) = solved else { continue };
+                    if round > 0 {
+                        solved = solved.to_be_verified();
+                    }
+                    let mut locked = locked.clone();
+                    locked.extend(&used);
+                    if let Some(found) = self.all(solved, rest, &locked) {
+                        return Some(found);
+                    }
                 }
             }
         }

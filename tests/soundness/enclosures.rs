@@ -805,3 +805,176 @@ fn points_are_the_same_each_time() {
     };
     assert_eq!(shown(), shown());
 }
+
+const TIED: &str = r#"```toml document
+title = "t"
+```
+```toml symbols
+a = { positive = true }
+b = { positive = true }
+c = { positive = true }
+h = { positive = true }
+s = { meaning = "sine" }
+k = { meaning = "cosine" }
+x = { meaning = "real" }
+y = { meaning = "real" }
+f = { range = "0 < f < 10" }
+'\mu' = { range = "0 < \\mu < 1" }
+t = { unit = "s" }
+'\varphi' = { unit = "1" }
+'\omega' = { unit = "1/s" }
+r = { function_of = "t" }
+v = { function_of = "t" }
+'\mathbf{u}' = { shape = [2, 1], function_of = "t" }
+'\mathbf{w}' = { shape = [2, 1], function_of = "t" }
+'\mathbf{A}' = { shape = [2, 2] }
+'\mathbf{P}' = { shape = [2, 2] }
+```
+```toml notation
+'\mathbf{0}' = { zero = true }
+```
+```math d1 define
+\mathbf{D} = \frac12(\mathbf{P} + \mathbf{P}^T)
+```
+"#;
+
+/// What is true on the solutions of equations, false beside them, and the other way round.
+#[test]
+fn equations_are_solved() {
+    let challenged = |assume: &[&str], claim: &str| {
+        let list: Vec<String> = assume.iter().map(|a| format!("'{a}'")).collect();
+        let text = format!(
+            "{TIED}```math c0 claim\n{claim}\n```\n```toml c0\nassume = [{}]\n```\n",
+            list.join(", ")
+        );
+        let model = model(&text);
+        let world = World::new(&model, 0, BTreeMap::new());
+        let equation = model.equation("c0").unwrap();
+        let link = &model.equations[equation].links[0];
+        let assume = &model.equations[equation].assume;
+        challenge(&world, equation, link, assume, &Budget::default())
+    };
+    let cases: &[(&[&str], &str)] = &[
+        (&[r"a = b"], r"\frac{a^2 - b^2}{a + b} = 0"),
+        (&[r"a h = b c"], r"\frac{a}{b} = \frac{c}{h}"),
+        (&[r"s^2 + k^2 = 1"], r"(s + k)^2 = 1 + 2sk"),
+        (&[r"f(1 + \mu) = 1"], r"\frac{1}{f} = 1 + \mu"),
+        (&[r"\cos x = y"], r"y^2 + \sin^2 x = 1"),
+        (&[r"\cos x = y", r"x = 0"], r"y = 1"),
+        (&[r"a^3 + a = 5"], r"a^4 = 5a - a^2"),
+        (&[r"\exp x = a"], r"x = \ln a"),
+        (&[r"a + b = 3", r"a - b = 1"], r"ab = 2"),
+        (&[r"a = 2b", r"b = 2c"], r"a = 4c"),
+        (&[r"x = a"], r"|x| = a"),
+        (&[r"\ddot r = -r"], r"\dddot r = -\dot r"),
+        (
+            &[r"a\ddot r = -b r"],
+            r"\frac{d}{dt}(a\dot r^2 + b r^2) = 0",
+        ),
+        (&[r"\dot r = v"], r"\ddot r = \dot v"),
+        (&[r"r = a"], r"\dot r = 0"),
+        (
+            &[r"\mathbf{u} = \mathbf{A}\mathbf{w}"],
+            r"\dot{\mathbf{u}} = \mathbf{A}\dot{\mathbf{w}}",
+        ),
+        (&[r"\mathbf{D} = \mathbf{0}"], r"\mathbf{P}^T = -\mathbf{P}"),
+        (&[r"a = b", r"a > 3"], r"b > 3"),
+    ];
+    for (assume, claim) in cases {
+        let found = challenged(assume, claim);
+        assert!(
+            found.apart.is_none(),
+            "{assume:?}: {claim}: {:?}",
+            found.apart
+        );
+        assert!(found.evaluated > 0, "{assume:?}: {claim}: {found:?}");
+        let without = challenged(&[], claim);
+        assert!(without.apart.is_some(), "without: {claim}: {without:?}");
+    }
+    let wrong: &[(&[&str], &str)] = &[
+        (&[r"a = b"], r"a = 2b"),
+        (&[r"a h = b c"], r"\frac{a}{b} = \frac{h}{c}"),
+        (&[r"s^2 + k^2 = 1"], r"s + k = 1"),
+        (&[r"\cos x = y"], r"y = \sin x"),
+        (&[r"a^3 + a = 5"], r"a = \frac32"),
+        (&[r"\exp x = a"], r"x = a - 1"),
+        (&[r"\ddot r = -r"], r"\ddot r = r"),
+        (&[r"\ddot r = -r"], r"\dddot r = \dot r"),
+        (&[r"\mathbf{D} = \mathbf{0}"], r"\mathbf{P} = \mathbf{0}"),
+        (&[r"a + b = 3"], r"ab = 2"),
+    ];
+    for (assume, claim) in wrong {
+        let found = challenged(assume, claim);
+        assert!(found.apart.is_some(), "{assume:?}: {claim}: {found:?}");
+    }
+    // Nothing is said about what an equation ties to the time or to a letter of a derivative.
+    for (assume, claim) in [
+        (&[r"\varphi = \omega t"], r"\dot\varphi = \omega"),
+        (&[r"\varphi = \omega t"], r"\dot\varphi = 0"),
+        (&[r"y = \cos x"], r"\frac{d}{dx} y = 0"),
+        (&[r"a + b = 0"], r"a = 1"),
+        (&[r"1 = 2"], r"a = 1"),
+    ] {
+        let found = challenged(assume, claim);
+        assert!(
+            found.apart.is_none() && found.evaluated == 0,
+            "{assume:?}: {claim}: {found:?}"
+        );
+    }
+}
+
+const RANDOM: &str = r#"```toml document
+title = "t"
+```
+```toml symbols
+a = { positive = true }
+b = { positive = true }
+q = { positive = true }
+t = { unit = "s" }
+x = { function_of = "t" }
+y = { function_of = "t" }
+n = { function_of = "t" }
+```
+```toml notation
+'\mathbf{0}' = { zero = true }
+'P_{i,j}' = { entry_of = '\mathbf{P}' }
+'\mathbf{P}' = { covariance_of = '\mathbf{z}' }
+```
+```math d1 define
+\mathbf{z} = \begin{bmatrix} x \\ y \end{bmatrix}, \quad \mathbf{A} = \begin{bmatrix} -a & 1 \\ 0 & -b \end{bmatrix}, \quad \mathbf{B} = \begin{bmatrix} 0 \\ 1 \end{bmatrix}
+```
+```math s1 solve \mathbf{P}
+\mathbf{A}\mathbf{P} + \mathbf{P}\mathbf{A}^T + q\mathbf{B}\mathbf{B}^T = \mathbf{0}
+```
+"#;
+
+#[test]
+fn expectations() {
+    both(
+        RANDOM,
+        r"
+        E\{x^2\} = P_{11}
+        E\{xy\} = P_{12}
+        E\{(x + a y)^2\} = P_{11} + 2a P_{12} + a^2 P_{22}
+        E\{a\} = a
+        E\{x + 3\} = 3
+        E\{y^2\} = \frac{q}{2b}
+        ",
+    );
+    all_true(RANDOM, &lines(r"E\{\mathbf{z}\mathbf{z}^T\} = \mathbf{P}"));
+    let unknown = lines(
+        r"
+        E\{\cos x\} = \cos x
+        E\{x \exp y\} = 0
+        E\{n^2\} = 1
+        E\{x^4\} = 3 P_{11}^2
+        E\{x n\} = 0
+        ",
+    );
+    for (claim, outcome) in unknown.iter().zip(found(RANDOM, &unknown)) {
+        assert!(
+            outcome.apart.is_none() && outcome.evaluated == 0,
+            "{claim}: {outcome:?}"
+        );
+    }
+}
