@@ -3,5 +3,7 @@
 
 #[allow(dead_code)]
 mod common;
+#[path = "soundness/enclosures.rs"]
+mod enclosures;
 #[path = "soundness/functions.rs"]
 mod functions;

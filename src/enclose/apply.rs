@@ -202,7 +202,7 @@ impl Evaluator<'_, '_> {
                 value: value.clone(),
                 bound: false,
             };
-            self.layers.push(super::letters::Layer::new(kind));
+            self.push_layer(kind);
         }
         let result = body(self);
         self.layers.truncate(depth);

@@ -1,9 +1,11 @@
 //! A claim at admissible points, to as many digits as it takes.
 
 use super::compare::{Comparison, Shown};
+use super::evaluator::Evaluator;
 use super::failure::NoValue;
 use super::points::{NoPoint, Points};
 use super::world::World;
+use crate::expr::Relation;
 use crate::model::Hypothesis;
 use crate::model::links::Link;
 use crate::stack::with_deep_stack;
@@ -17,7 +19,7 @@ pub struct Budget {
     pub tries: usize,
     /// Binary digits, one after the other while the sides are wide.
     pub bits: Vec<u32>,
-    /// Multiplications at one point.
+    /// Multiplications at all points together; those to more digits count more.
     pub work: u64,
 }
 
@@ -27,7 +29,7 @@ impl Default for Budget {
             points: 4,
             tries: 10,
             bits: vec![128, 512, 2048],
-            work: 300_000,
+            work: 400_000,
         }
     }
 }
@@ -75,8 +77,17 @@ fn at_points(
             return outcome;
         }
     };
-    for _ in 0..budget.tries {
-        if outcome.evaluated >= budget.points {
+    let mut work = budget.work;
+    // What is dear is looked at fewer times.
+    let enough = budget.work - budget.work / 8;
+    // An inequality is violated on a part of the points only.
+    let times = if link.relation == Relation::Equal {
+        1
+    } else {
+        4
+    };
+    for _ in 0..times * budget.tries {
+        if outcome.evaluated >= times * budget.points || outcome.evaluated > 0 && work < enough {
             break;
         }
         let point = match points.next() {
@@ -88,7 +99,9 @@ fn at_points(
         };
         let mut last = None;
         for bits in &budget.bits {
-            let found = world.compare(equation, link, &point, *bits, budget.work);
+            let mut evaluator = Evaluator::new(world, &point, *bits, work);
+            let found = evaluator.compare(world.display(equation), link);
+            work = evaluator.arithmetic.left();
             let again = match &found {
                 Comparison::Apart(_) | Comparison::Overlap { narrow: true } => false,
                 Comparison::Overlap { narrow: false } => true,

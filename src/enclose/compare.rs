@@ -290,11 +290,25 @@ impl Evaluator<'_, '_> {
                 },
             };
         }
+        let span = link.left.find(display).map_or(Span::default(), |e| e.span);
+        let unknown = match link.relation {
+            Relation::Distributed => Some("how something is distributed"),
+            Relation::Approximately => Some("an approximation"),
+            Relation::Tends => Some("a limit"),
+            Relation::Equal
+            | Relation::NotEqual
+            | Relation::Less
+            | Relation::LessEqual
+            | Relation::Greater
+            | Relation::GreaterEqual => None,
+        };
+        if let Some(what) = unknown {
+            return Comparison::NoValue(Reason::Unsupported(what).at(span));
+        }
         let sides = match self.sides(display, link) {
             Ok(sides) => sides,
             Err(none) => return Comparison::NoValue(none),
         };
-        let span = link.left.find(display).map_or(Span::default(), |e| e.span);
         let mut narrow = true;
         for (indices, left, right) in &sides {
             match self.truth(left, link.relation, right) {
@@ -303,7 +317,7 @@ impl Evaluator<'_, '_> {
                     return Comparison::Apart(Box::new(self.shown(link, indices, left, right)));
                 }
                 Ok(Truth::True) => {}
-                Ok(Truth::Unknown) => narrow &= self.is_narrow(left, right),
+                Ok(Truth::Unknown) => narrow &= self.coarse || self.is_narrow(left, right),
             }
         }
         Comparison::Overlap { narrow }

@@ -43,10 +43,14 @@ pub struct Evaluator<'w, 'm> {
     pub(super) layers: Vec<Layer>,
     /// Values of names at the point itself.
     pub(super) known: BTreeMap<Key, Value>,
-    pub(super) open: BTreeSet<(Key, usize)>,
+    /// What is being computed, each with the number of its innermost layer.
+    pub(super) open: BTreeSet<(Key, u64)>,
+    pub(super) layers_so_far: u64,
     pub(super) bound: Vec<(String, i64)>,
     /// How many rows the next matrix should have where zeros of any shape leave that open.
     pub(super) wanted_rows: Option<usize>,
+    /// Whether something was computed to few digits only, whatever the precision.
+    pub(super) coarse: bool,
     /// The letters that were used, with their values.
     pub(super) used: BTreeMap<(usize, u8), Complex>,
     depth: usize,
@@ -62,8 +66,10 @@ impl<'w, 'm> Evaluator<'w, 'm> {
             layers: Vec::new(),
             known: BTreeMap::new(),
             open: BTreeSet::new(),
+            layers_so_far: 0,
             bound: Vec::new(),
             wanted_rows: None,
+            coarse: false,
             used: BTreeMap::new(),
             depth: 0,
         }
@@ -171,7 +177,7 @@ impl<'w, 'm> Evaluator<'w, 'm> {
             ExprKind::Cases(cases) => self.by_cases(cases, span),
             ExprKind::Named { .. } => unsupported("an argument by name"),
             ExprKind::Tuple(_) => unsupported("a tuple"),
-            ExprKind::Expectation(_) => unsupported("an expectation"),
+            ExprKind::Expectation(inner) => self.expectation(inner, span),
             ExprKind::Infinity => unsupported("infinity"),
             ExprKind::Constant => unsupported("an unnamed constant"),
         }

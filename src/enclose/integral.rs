@@ -20,12 +20,12 @@ use crate::span::Span;
 use num_rational::BigRational;
 
 /// The order of the remainder.
-const ORDER: usize = 12;
-/// A panel is small enough when its remainder is below 2 to this.
-const ENOUGH: i64 = -44;
+const ORDER: usize = 10;
+/// A panel is small enough when its remainder is below 2 to this beside the integrand.
+const ENOUGH: i64 = -34;
 /// How often a panel is halved, and how many panels there are at most.
 const DEEPEST: u32 = 10;
-const MOST_PANELS: usize = 160;
+const MOST_PANELS: usize = 96;
 
 impl Evaluator<'_, '_> {
     pub(super) fn integral(
@@ -43,6 +43,7 @@ impl Evaluator<'_, '_> {
         if !from.is_real() || !to.is_real() {
             return Err(Reason::Unsupported("an integral in the complex plane").at(span));
         }
+        self.coarse = true;
         let width = self.arithmetic.subtract(&to, &from);
         let mut sum = Value::Zero;
         // The left end and the depth of each panel that is open, the leftmost last.
@@ -125,11 +126,22 @@ impl Evaluator<'_, '_> {
         let remainder = over
             .map(|f| a.multiply(&f.coefficient(variable, ORDER), &moment(ORDER)))
             .map_err(fail)?;
+        // Small beside the integrand's size on the panel.
+        let size = |jet: &Jet| {
+            let number = jet.number();
+            number.re.largest(64).max(number.im.largest(64))
+        };
+        let largest = over
+            .entries()
+            .into_iter()
+            .map(|f| size(&f.coefficient(variable, 0)));
+        let scale = largest.max().unwrap_or_else(Dyadic::zero);
+        let enough = scale.max(Dyadic::power_of_two(-30)).scaled(ENOUGH);
         let small = |jet: &&Jet| {
-            [&jet.number().re, &jet.number().im].iter().all(|part| {
-                let width = part.interval(bits).width();
-                width < Dyadic::power_of_two(ENOUGH)
-            })
+            let parts = [&jet.number().re, &jet.number().im];
+            parts
+                .iter()
+                .all(|part| part.interval(bits).width() < enough)
         };
         if !last && !remainder.entries().iter().all(small) {
             return Ok(None);

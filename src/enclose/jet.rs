@@ -211,6 +211,7 @@ pub struct Arithmetic {
     pub bits: u32,
     /// The highest power of each infinitesimal that is kept; those of forms are not used.
     pub(super) orders: Vec<usize>,
+    /// What is left of the work, in multiplications at the lowest precision.
     work: Cell<u64>,
 }
 
@@ -229,7 +230,8 @@ impl Arithmetic {
     /// # Errors
     /// When none is left.
     pub(super) fn spend(&self, units: u64) -> Result<()> {
-        match self.work.get().checked_sub(units) {
+        let each = u64::from(self.bits / 192) + 1;
+        match self.work.get().checked_sub(units * each) {
             Some(left) => {
                 self.work.set(left);
                 Ok(())

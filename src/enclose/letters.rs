@@ -27,6 +27,8 @@ const HIGHEST_ORDER: usize = 16;
 #[derive(Debug)]
 pub(super) struct Layer {
     pub kind: LayerKind,
+    /// Tells it from every other layer, those that lay at its depth before among them.
+    pub number: u64,
     pub known: BTreeMap<Key, Value>,
 }
 
@@ -50,6 +52,8 @@ pub(super) enum LayerKind {
         variable: usize,
         order: usize,
     },
+    /// Symbols and their derivatives have these values.
+    Given(BTreeMap<(usize, u8), Jet>),
     /// Processes are taken at a number.
     At(BigRational),
     /// The unknowns of a system have these values.
@@ -57,9 +61,10 @@ pub(super) enum LayerKind {
 }
 
 impl Layer {
-    pub fn new(kind: LayerKind) -> Self {
+    pub fn new(kind: LayerKind, number: u64) -> Self {
         Layer {
             kind,
+            number,
             known: BTreeMap::new(),
         }
     }
@@ -74,6 +79,7 @@ impl Layer {
                 let mut symbols = behind.symbols.iter();
                 symbols.any(|s| world.changes_with(*s, time))
             }
+            LayerKind::Given(values) => values.keys().any(|(s, _)| behind.symbols.contains(s)),
             LayerKind::At(_) => {
                 let processes = |s: &usize| world.model.symbols[*s].function_of.is_some();
                 behind.symbols.iter().any(processes)
@@ -94,10 +100,15 @@ impl Evaluator<'_, '_> {
         body: impl FnOnce(&mut Self) -> T,
     ) -> T {
         let depth = self.layers.len();
-        self.layers.push(Layer::new(kind));
+        self.push_layer(kind);
         let result = body(self);
         self.layers.truncate(depth);
         result
+    }
+
+    pub(super) fn push_layer(&mut self, kind: LayerKind) {
+        self.layers_so_far += 1;
+        self.layers.push(Layer::new(kind, self.layers_so_far));
     }
 
     /// Runs `body` with the lowest `depth` layers only.
@@ -116,6 +127,7 @@ impl Evaluator<'_, '_> {
             }
             LayerKind::Replaced { .. }
             | LayerKind::Passing { .. }
+            | LayerKind::Given(_)
             | LayerKind::At(_)
             | LayerKind::Unknowns { .. } => false,
         })
@@ -253,6 +265,10 @@ impl Evaluator<'_, '_> {
                 }
                 Ok(Jet::series(variable, terms))
             }
+            LayerKind::Given(values) => match values.get(&(symbol, order)) {
+                Some(value) => Ok(value.clone()),
+                None => self.below(top, |e| e.letter(symbol, order, span)),
+            },
             LayerKind::At(_) => {
                 if model.symbols[symbol].function_of.is_some() {
                     let what = "the value of a process where nothing says it";

@@ -11,6 +11,7 @@ mod compare;
 mod elementary;
 mod elimination;
 mod evaluator;
+mod expectation;
 mod failure;
 mod integral;
 mod jet;

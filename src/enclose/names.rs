@@ -28,6 +28,7 @@ impl Evaluator<'_, '_> {
                 LayerKind::Replaced { .. }
                 | LayerKind::Shifted { .. }
                 | LayerKind::Passing { .. }
+                | LayerKind::Given(_)
                 | LayerKind::Unknowns { .. } => None,
             });
         if let Some(definition) = at.and_then(|at| model.value_at(name, at)) {
@@ -132,7 +133,10 @@ impl Evaluator<'_, '_> {
         if let Some(value) = known.get(&key) {
             return Ok(value.clone());
         }
-        let opened = (key.clone(), self.layers.len());
+        let opened = (
+            key.clone(),
+            self.layers.last().map_or(0, |layer| layer.number),
+        );
         if !self.open.insert(opened.clone()) {
             return Err(Reason::Cyclic.at(span));
         }
@@ -271,7 +275,7 @@ impl Evaluator<'_, '_> {
                     .map_err(fail)
             }
             NotationKind::Dirac => Err(Reason::Unsupported("the Dirac distribution").at(span)),
-            NotationKind::Covariance(_) => Err(Reason::Unsupported("an expectation").at(span)),
+            NotationKind::Covariance(covariance) => self.expectation(&covariance.product, span),
         }
     }
 

@@ -27,6 +27,7 @@ enum Style {
     Reference,
     Mixed,
     Negative,
+    Zero,
     Special,
     Scales,
     Small,
@@ -40,6 +41,8 @@ pub struct Point {
     fixed: BTreeMap<(usize, u8), Complex>,
     /// The highest derivative of a process whose derivatives an equation determines.
     highest: BTreeMap<usize, u8>,
+    /// Whether equations between letters must be seen to be exactly true.
+    pub(super) verify: bool,
     /// What equations between letters are about.
     pub(super) tangle: Arc<Tangle>,
 }
@@ -84,6 +87,7 @@ impl Point {
             ranges,
             fixed: BTreeMap::new(),
             highest: BTreeMap::new(),
+            verify: false,
             tangle,
         }
     }
@@ -103,6 +107,12 @@ impl Point {
     #[must_use]
     pub fn with(mut self, symbol: usize, order: u8, value: Complex) -> Self {
         self.fixed.insert((symbol, order), value);
+        self
+    }
+
+    /// The same, where equations between letters must be seen to be exactly true.
+    pub(super) fn to_be_verified(mut self) -> Self {
+        self.verify = true;
         self
     }
 
@@ -215,8 +225,9 @@ impl Point {
             1 if has_reference => Style::Reference,
             1 | 2 => Style::Mixed,
             3 => Style::Negative,
-            4 => Style::Special,
+            4 => Style::Zero,
             5 => Style::Scales,
+            6 => Style::Special,
             n => match n % 5 {
                 0 => Style::Special,
                 1 => Style::Mixed,
@@ -240,6 +251,7 @@ impl Point {
             Style::Positive | Style::Reference => ratio(numerator, 1 + pick(16, 4) as i64),
             Style::Mixed => signed(ratio(numerator, 1 + pick(16, 5) as i64)),
             Style::Negative => -ratio(numerator, 1 + pick(16, 4) as i64),
+            Style::Zero => integer(0),
             Style::Special => match pick(16, 8) {
                 0 | 1 => integer(0),
                 2 | 3 => integer(1),

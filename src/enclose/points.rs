@@ -27,6 +27,8 @@ const MOST_SOLVED: usize = 12;
 /// The digits and the work that a hypothesis is looked at with.
 const BITS: u32 = 128;
 const WORK: u64 = 200_000;
+/// The work that solving hypotheses may take for all points together.
+const WORK_OF_ALL: u64 = 1_000_000;
 
 /// Why there is no admissible point.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +52,7 @@ pub struct Points<'w, 'm> {
     ranges: Arc<Vec<Range>>,
     tangle: Arc<Tangle>,
     next: usize,
+    work: u64,
     found: usize,
     failure: Option<NoValue>,
 }
@@ -79,6 +82,7 @@ impl<'w, 'm> Points<'w, 'm> {
             ranges: Arc::new(ranges),
             tangle,
             next: 0,
+            work: WORK_OF_ALL,
             found: 0,
             failure: None,
         })
@@ -109,11 +113,16 @@ impl<'w, 'm> Points<'w, 'm> {
             self.next += 1;
             let mut point = Point::new(number, self.ranges.clone(), self.tangle.clone());
             if !equations.is_empty() {
-                let mut solver = Solver::new(self.world, &self.ranges);
-                match solver.solve(point, &equations) {
+                let mut solver = Solver::new(self.world, &self.ranges, self.work);
+                let solved = solver.solve(point, &equations);
+                self.work = solver.left();
+                match solved {
                     Some(solved) => point = solved,
                     None => {
                         self.failure = solver.failure();
+                        if self.work == 0 {
+                            break;
+                        }
                         continue;
                     }
                 }
@@ -146,7 +155,7 @@ impl<'w, 'm> Points<'w, 'm> {
     pub fn admits(&self, point: &Point) -> Result<Truth, NoValue> {
         let mut truth = point.in_ranges(&self.ranges);
         let definite = with_deep_stack(|| {
-            let mut solver = Solver::new(self.world, &self.ranges);
+            let mut solver = Solver::new(self.world, &self.ranges, WORK);
             solver.definite_stay_definite(point)
         });
         if !definite {
@@ -171,7 +180,8 @@ impl<'w, 'm> Points<'w, 'm> {
         for hypothesis in &self.hypotheses {
             let truth = evaluator.is_true(hypothesis)?;
             // An equation was solved: that its sides are enclosed only says nothing against it.
-            let solved = hypothesis.relation == Relation::Equal && truth == Truth::Unknown;
+            let equation = hypothesis.relation == Relation::Equal && !point.verify;
+            let solved = equation && truth == Truth::Unknown;
             if truth != Truth::True && !solved {
                 return Ok(false);
             }

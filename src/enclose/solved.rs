@@ -1,8 +1,8 @@
 //! Points on which equations between letters are true: a letter of each equation is determined by the
 //! others.
 //!
-//! Where the equation is linear in a letter its root is rational and the equation is verified to be
-//! exactly true there. Otherwise a root is shown to exist by the intermediate value theorem, between
+//! Where the equation is linear in a letter, or one between vectors is so in the entries of another, it
+//! is solved by elimination; at rational points that is exact. Otherwise a root is shown to exist by the intermediate value theorem, between
 //! two numbers where the difference has opposite signs and over which it has values, and enclosed by
 //! bisection and Newton's method for intervals (Moore, *Interval Analysis*, 1966, chapter 7). An equation
 //! that processes take part in is true at all times: it is solved for the highest derivative of one,
@@ -13,9 +13,11 @@ use super::elimination::definite;
 use super::evaluator::Evaluator;
 use super::failure::{NoValue, Reason};
 use super::jet::Jet;
+use super::letters::LayerKind;
 use super::point::Point;
 use super::value::Value;
 use super::world::World;
+use crate::matrix::Matrix;
 use crate::model::range::{Numbers, Range};
 use crate::model::{Hypothesis, Node};
 use crate::real::dyadic::{Dyadic, Rounding};
@@ -23,7 +25,7 @@ use crate::real::{Complex, Interval, Real};
 use crate::span::Span;
 use num_rational::BigRational;
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A symbol or its derivative of an order.
 type Letter = (usize, u8);
@@ -31,8 +33,6 @@ type Letter = (usize, u8);
 /// Digits of roots, and the work of one evaluation.
 const BITS: u32 = 192;
 const WORK: u64 = 100_000;
-/// How many evaluations a point may take.
-const MOST_EVALUATIONS: usize = 1_500;
 /// How many further derivatives of a process follow from an equation.
 const FURTHER: u8 = 3;
 /// Numbers between which roots are sought: numerators and denominators.
@@ -71,7 +71,7 @@ struct Equation<'h> {
 pub(super) struct Solver<'w, 'm> {
     world: &'w World<'m>,
     ranges: &'w [Range],
-    evaluations: usize,
+    work: u64,
     failure: Option<NoValue>,
 }
 
@@ -79,17 +79,21 @@ pub(super) struct Solver<'w, 'm> {
 struct Difference {
     value: Jet,
     slope: Jet,
-    used: BTreeSet<Letter>,
 }
 
 impl<'w, 'm> Solver<'w, 'm> {
-    pub fn new(world: &'w World<'m>, ranges: &'w [Range]) -> Self {
+    pub fn new(world: &'w World<'m>, ranges: &'w [Range], work: u64) -> Self {
         Solver {
             world,
             ranges,
-            evaluations: 0,
+            work,
             failure: None,
         }
+    }
+
+    /// How much work is left.
+    pub fn left(&self) -> u64 {
+        self.work
     }
 
     /// Why nothing was found, where it was for want of a value.
@@ -100,13 +104,154 @@ impl<'w, 'm> Solver<'w, 'm> {
     /// The point with letters determined so that these equations are true; none where that was not
     /// found.
     pub fn solve(&mut self, point: Point, hypotheses: &[&Hypothesis]) -> Option<Point> {
+        let mut point = point;
         let mut equations = Vec::new();
-        for hypothesis in hypotheses {
+        let mut locked = BTreeSet::new();
+        for (k, hypothesis) in hypotheses.iter().enumerate() {
             let entries = self.entries(&point, hypothesis)?;
+            let others = hypotheses.iter().enumerate().filter(|(l, _)| *l != k);
+            let others: Vec<&Hypothesis> = others.map(|(_, h)| *h).collect();
+            if entries > 1
+                && let Some((solved, used)) =
+                    self.by_vector(&point, hypothesis, entries, &others, &locked)
+            {
+                point = solved;
+                locked.extend(used);
+                continue;
+            }
             equations.extend((0..entries).map(|entry| Equation { hypothesis, entry }));
         }
-        let solved = self.all(point, &equations, &BTreeSet::new())?;
+        let solved = self.all(point, &equations, &locked)?;
         self.definite_stay_definite(&solved).then_some(solved)
+    }
+
+    /// Solves an equation between vectors or matrices for all entries of a declared vector or matrix, or
+    /// of a derivative of one, which no other hypothesis needs.
+    fn by_vector(
+        &mut self,
+        point: &Point,
+        hypothesis: &Hypothesis,
+        entries: usize,
+        others: &[&Hypothesis],
+        locked: &BTreeSet<Letter>,
+    ) -> Option<(Point, BTreeSet<Letter>)> {
+        let model = self.world.model();
+        let first = Equation {
+            hypothesis,
+            entry: 0,
+        };
+        let mut used = BTreeSet::new();
+        for entry in 0..entries {
+            used.extend(self.plain(point, Equation { entry, ..first })?.1);
+        }
+        let mut elsewhere = BTreeSet::new();
+        for other in others {
+            elsewhere.extend(self.world.behind_expression(&other.left).symbols);
+            elsewhere.extend(self.world.behind_expression(&other.right).symbols);
+        }
+        let process = |s: usize| model.symbols[s].function_of.is_some();
+        let moving = used.iter().any(|l| process(l.0));
+        let matrices: BTreeSet<usize> = used
+            .iter()
+            .filter_map(|(s, _)| model.symbols[*s].entry_of.map(|(m, ..)| m))
+            .collect();
+        for m in matrices {
+            let of = |l: &&Letter| model.symbols[l.0].entry_of.is_some_and(|(o, ..)| o == m);
+            let highest = used.iter().filter(of).map(|l| l.1).max()?;
+            let group: Vec<Letter> = used
+                .iter()
+                .filter(of)
+                .filter(|l| l.1 == highest)
+                .copied()
+                .collect();
+            let free = |l: &Letter| {
+                !locked.contains(l) && !point.is_fixed(l.0, l.1) && !elsewhere.contains(&l.0)
+            };
+            let usable = group.len() == entries
+                && !model.matrices[m].shape.positive_definite
+                && group.iter().all(free)
+                && (!moving || group.iter().all(|l| process(l.0)));
+            if !usable {
+                continue;
+            }
+            let Some(solved) = self.linearly(point, first.hypothesis, None, &group, moving) else {
+                continue;
+            };
+            return Some((solved, used));
+        }
+        None
+    }
+
+    /// The point where an equation, or an entry of it, is true because of the values of these letters,
+    /// in which it is linear; where it is true at all times, with those of their derivatives.
+    fn linearly(
+        &mut self,
+        point: &Point,
+        hypothesis: &Hypothesis,
+        entry: Option<usize>,
+        letters: &[Letter],
+        moving: bool,
+    ) -> Option<Point> {
+        let mut point = point.clone();
+        let further = if moving { FURTHER } else { 0 };
+        for rate in 0..=further {
+            let higher: Vec<Letter> = letters.iter().map(|l| (l.0, l.1 + rate)).collect();
+            let values = self.affine(&point, hypothesis, entry, rate, &higher)?;
+            for (letter, value) in higher.into_iter().zip(values) {
+                if !self.admits(letter, &value) {
+                    return None;
+                }
+                point = point.with(letter.0, letter.1, value);
+            }
+        }
+        if moving {
+            for letter in letters {
+                point = point.up_to(letter.0, letter.1 + FURTHER);
+            }
+        }
+        Some(point)
+    }
+
+    /// The values of letters for which an equation's difference, differentiated so often by time and
+    /// linear in them, vanishes.
+    fn affine(
+        &mut self,
+        point: &Point,
+        hypothesis: &Hypothesis,
+        entry: Option<usize>,
+        rate: u8,
+        letters: &[Letter],
+    ) -> Option<Vec<Complex>> {
+        let span = hypothesis.span;
+        let solution = self.evaluate(point, |e| {
+            let variable = e.arithmetic.open(0);
+            let forms = letters.iter().enumerate().map(|(k, letter)| {
+                let slopes = BTreeMap::from([(k, Jet::integer(1))]);
+                (*letter, Jet::form(variable, Jet::zero(), slopes))
+            });
+            let layer = LayerKind::Given(forms.collect());
+            let value = e.with_layer(layer, |e| e.rate_of_difference(hypothesis, rate));
+            e.arithmetic.close();
+            let value = value?;
+            let parts: Vec<_> = value
+                .entries()
+                .into_iter()
+                .enumerate()
+                .filter(|(k, _)| entry.is_none_or(|only| only == *k))
+                .map(|(_, x)| x.parts(variable))
+                .collect();
+            let n = letters.len();
+            if parts.len() != n {
+                return Err(Reason::Unsupported("an equation of another shape").at(span));
+            }
+            let zero = Jet::zero;
+            let slope = |i: usize, k: usize| parts[i].1.get(&k).cloned().unwrap_or_else(zero);
+            let matrix = Matrix::from_fn(n, n, slope);
+            let right = Matrix::from_fn(n, 1, |i, _| parts[i].0.negated());
+            let solution = e.arithmetic.solve(&matrix, &right);
+            solution.map_err(|r| r.at(span))
+        })?;
+        solution.iter().map(|x| x.as_number().cloned()).collect()
     }
 
     /// How many scalar equations a hypothesis is.
@@ -120,37 +265,34 @@ impl<'w, 'm> Solver<'w, 'm> {
         point: &Point,
         body: impl FnOnce(&mut Evaluator<'_, 'm>) -> Result<T, NoValue>,
     ) -> Option<T> {
-        self.evaluations += 1;
-        if self.evaluations > MOST_EVALUATIONS {
-            self.failure = Some(Reason::Budget("evaluations").at(Span::default()));
-            return None;
-        }
-        let mut evaluator = Evaluator::new(self.world, point, BITS, WORK);
-        body(&mut evaluator)
+        let granted = self.work.min(WORK);
+        let mut evaluator = Evaluator::new(self.world, point, BITS, granted);
+        // An evaluation costs something, however little is computed.
+        let found = evaluator
+            .arithmetic
+            .spend(20)
+            .map_err(|reason| reason.at(Span::default()))
+            .and_then(|()| body(&mut evaluator));
+        self.work -= granted - evaluator.arithmetic.left();
+        found
             .map_err(|none| {
                 self.failure.get_or_insert(none);
             })
             .ok()
     }
 
-    /// The difference of the sides of an equation, differentiated so often by time.
-    fn at(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        rate: u8,
-        by: Letter,
-    ) -> Option<Difference> {
+    /// The difference of the sides of an equation with its slope by a letter.
+    fn at(&mut self, point: &Point, equation: Equation<'_>, by: Letter) -> Option<Difference> {
         let entry = equation.entry;
         let span = equation.hypothesis.span;
         self.evaluate(point, |e| {
             let variable = e.arithmetic.open(1);
-            let kind = super::letters::LayerKind::Shifted {
+            let kind = LayerKind::Shifted {
                 symbol: by.0,
                 order: by.1,
                 variable,
             };
-            let value = e.with_layer(kind, |e| e.rate_of_difference(equation.hypothesis, rate));
+            let value = e.with_layer(kind, |e| e.difference(equation.hypothesis));
             e.arithmetic.close();
             let value = value?;
             let whole = value.entries().get(entry).map(|x| (*x).clone());
@@ -159,7 +301,6 @@ impl<'w, 'm> Solver<'w, 'm> {
             Ok(Difference {
                 value: whole.coefficient(variable, 0),
                 slope: whole.coefficient(variable, 1),
-                used: e.used.keys().copied().collect(),
             })
         })
     }
@@ -208,59 +349,66 @@ impl<'w, 'm> Solver<'w, 'm> {
             .copied()
             .collect();
         candidates.sort_by_key(|l| (elsewhere.contains(l), std::cmp::Reverse(l.1), l.0));
-        for linear in [true, false] {
-            for letter in &candidates {
-                let Some(solved) = self.solved_for(&point, *equation, *letter, linear) else {
+        let mut rounds = vec![candidates];
+        // An equation between matrices is evaluated as a whole: what it used, this entry need not have
+        // used. With letters that others may need only what is exactly true in the end counts.
+        let others = used.iter().filter(|l| locked.contains(l));
+        let others = others.filter(|l| !point.is_fixed(l.0, l.1));
+        rounds.push(
+            others
+                .filter(|l| !moving || processes(l))
+                .copied()
+                .collect(),
+        );
+        for (round, candidates) in rounds.iter().enumerate() {
+            for linear in [true, false] {
+                if !linear && round > 0 {
                     continue;
-                };
-                let mut locked = locked.clone();
-                locked.extend(&used);
-                let solved = match moving {
-                    true => self.further(solved, *equation, *letter),
-                    false => Some(solved),
-                };
-                if let Some(found) = solved.and_then(|p| self.all(p, rest, &locked)) {
-                    return Some(found);
+                }
+                for letter in candidates {
+                    let solved = if linear {
+                        let entry = Some(equation.entry);
+                        self.linearly(&point, equation.hypothesis, entry, &[*letter], moving)
+                    } else {
+                        self.by_root(&point, *equation, *letter, moving)
+                    };
+                    let Some(mut solved) = solved else { continue };
+                    if round > 0 {
+                        solved = solved.to_be_verified();
+                    }
+                    let mut locked = locked.clone();
+                    locked.extend(&used);
+                    if let Some(found) = self.all(solved, rest, &locked) {
+                        return Some(found);
+                    }
                 }
             }
         }
         None
     }
 
-    /// The point where an equation is true because of a letter's value.
-    fn solved_for(
+    /// The point where an equation is true because a letter's value is a root of it.
+    fn by_root(
         &mut self,
         point: &Point,
         equation: Equation<'_>,
         letter: Letter,
-        linear: bool,
+        moving: bool,
     ) -> Option<Point> {
-        if linear {
-            let root = self.linear_root(point, equation, letter)?;
-            let solved = point.clone().with(letter.0, letter.1, root);
-            let (value, _) = self.plain(&solved, equation)?;
-            return value.is_zero().then_some(solved);
+        let root = Real::Enclosed(self.real_root(point, equation, letter)?);
+        let mut point = point.clone().with(letter.0, letter.1, root.into());
+        if !moving {
+            return Some(point);
         }
-        let root = self.real_root(point, equation, letter)?;
-        let value = Real::Enclosed(root).into();
-        Some(point.clone().with(letter.0, letter.1, value))
-    }
-
-    /// The root of the tangent, where it is admissible.
-    fn linear_root(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        letter: Letter,
-    ) -> Option<Complex> {
-        let model = self.world.model();
-        let here = point.value(model, letter.0, letter.1, BITS)?;
-        let difference = self.at(point, equation, 0, letter)?;
-        let (value, slope) = (difference.value.as_number()?, difference.slope.as_number()?);
-        let step = value.divide(slope, BITS)?;
-        let root = here.subtract(&step, BITS);
-        let exact = root.re.exact().is_some() && root.im.exact().is_some();
-        (exact && self.admits(letter, &root)).then_some(root)
+        // Its derivatives are linear in the higher derivatives.
+        for rate in 1..=FURTHER {
+            let higher = (letter.0, letter.1 + rate);
+            let entry = Some(equation.entry);
+            let values = self.affine(&point, equation.hypothesis, entry, rate, &[higher])?;
+            let value = values.into_iter().next().filter(Complex::is_real)?;
+            point = point.with(higher.0, higher.1, value);
+        }
+        Some(point.up_to(letter.0, letter.1 + FURTHER))
     }
 
     fn admits(&self, (symbol, order): Letter, value: &Complex) -> bool {
@@ -271,31 +419,16 @@ impl<'w, 'm> Solver<'w, 'm> {
         match range.numbers {
             Numbers::Complex => true,
             Numbers::Real | Numbers::Integer => {
-                value.is_real() && value.re.exact().is_none_or(|x| range.contains(x))
+                value.is_real()
+                    && match &value.re {
+                        Real::Exact(x) => range.contains(x),
+                        Real::Enclosed(x) => {
+                            let inside = |end: &Dyadic| range.contains(&end.to_rational());
+                            range.numbers == Numbers::Real && inside(x.low()) && inside(x.high())
+                        }
+                    }
             }
         }
-    }
-
-    /// The higher derivatives of a process that follow from an equation.
-    fn further(&mut self, point: Point, equation: Equation<'_>, letter: Letter) -> Option<Point> {
-        let model = self.world.model();
-        let mut point = point;
-        for rate in 1..=FURTHER {
-            let higher = (letter.0, letter.1 + rate);
-            let here = point.value(model, higher.0, higher.1, BITS)?;
-            let difference = self.at(&point, equation, rate, higher)?;
-            if !difference.used.contains(&higher) {
-                return None;
-            }
-            // The highest derivative takes part linearly.
-            let (value, slope) = (difference.value.as_number()?, difference.slope.as_number()?);
-            let root = here.subtract(&value.divide(slope, BITS)?, BITS);
-            if !root.is_real() {
-                return None;
-            }
-            point = point.with(higher.0, higher.1, root);
-        }
-        Some(point.up_to(letter.0, letter.1 + FURTHER))
     }
 
     /// The sign of an equation's difference where a letter has this value.
@@ -375,7 +508,7 @@ impl<'w, 'm> Solver<'w, 'm> {
                     .with(letter.0, letter.1, Real::Enclosed(interval.clone()).into());
             // A difference with values on all of the interval is continuous there.
             let difference = if round >= 4 || shown {
-                self.at(&over, equation, 0, letter)
+                self.at(&over, equation, letter)
             } else {
                 None
             };
@@ -451,7 +584,7 @@ impl<'w, 'm> Solver<'w, 'm> {
                 point
                     .clone()
                     .with(letter.0, letter.1, Real::Enclosed(interval.clone()).into());
-            let Some(difference) = self.at(&over, equation, 0, letter) else {
+            let Some(difference) = self.at(&over, equation, letter) else {
                 break;
             };
             let Some(slope) = difference.slope.as_number().filter(|s| s.is_real()) else {

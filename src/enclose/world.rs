@@ -208,7 +208,7 @@ impl<'m> World<'m> {
     }
 
     /// The nodes that say what higher derivatives of a process are.
-    fn motions(&self, symbol: usize, order: u8) -> Vec<Node> {
+    pub(super) fn motions(&self, symbol: usize, order: u8) -> Vec<Node> {
         let declared = &self.model.symbols[symbol];
         if declared.function_of.is_none() {
             return Vec::new();

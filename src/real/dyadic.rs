@@ -141,17 +141,10 @@ impl Dyadic {
     /// The nearest number with at most so many binary digits in a direction.
     #[must_use]
     pub fn rounded(self, bits: u32, rounding: Rounding) -> Self {
-        let excess = self.length() - i64::from(bits);
-        if excess <= 0 {
+        if self.length() <= i64::from(bits) {
             return self;
         }
-        // `>>` on integers rounds down, for negative ones too.
-        let kept = &self.mantissa >> excess;
-        let kept = match rounding {
-            Rounding::Down => kept,
-            Rounding::Up => kept + 1,
-        };
-        Dyadic::new(kept, self.exponent + excess)
+        Dyadic::shortened(self.mantissa, self.exponent, bits, rounding)
     }
 
     /// The exact sum.
@@ -223,8 +216,8 @@ impl Dyadic {
             Rounding::Down => above.div_floor(&below),
             Rounding::Up => above.div_ceil(&below),
         };
-        let exact = Dyadic::new(quotient, self.exponent - other.exponent - shift);
-        Some(exact.rounded(bits, rounding))
+        let exponent = self.exponent - other.exponent - shift;
+        Some(Dyadic::shortened(quotient, exponent, bits, rounding))
     }
 
     /// A rational number, rounded.
@@ -236,6 +229,15 @@ impl Dyadic {
         let below = Dyadic::new(x.denom().clone(), 0);
         // A denominator is not zero.
         above.divide(&below, bits, rounding).unwrap_or(above)
+    }
+
+    /// The number that a rational one is, where it is one with so few digits.
+    pub fn exactly(x: &BigRational, bits: u32) -> Option<Self> {
+        let below = x.denom().trailing_zeros()?;
+        if x.denom().bits() != below + 1 || x.numer().bits() > u64::from(bits) {
+            return None;
+        }
+        Some(Dyadic::new(x.numer().clone(), -i64::try_from(below).ok()?))
     }
 
     /// The number as a rational one.
@@ -283,7 +285,27 @@ impl Dyadic {
     /// The rounded product.
     #[must_use]
     pub fn multiply(&self, other: &Self, bits: u32, rounding: Rounding) -> Self {
-        self.times(other).rounded(bits, rounding)
+        Dyadic::shortened(
+            &self.mantissa * &other.mantissa,
+            self.exponent + other.exponent,
+            bits,
+            rounding,
+        )
+    }
+
+    /// `mantissa * 2^exponent`, rounded.
+    fn shortened(mantissa: BigInt, exponent: i64, bits: u32, rounding: Rounding) -> Self {
+        let length = i64::try_from(mantissa.bits()).unwrap_or(i64::MAX / 4);
+        let excess = length - i64::from(bits);
+        if excess <= 0 {
+            return Dyadic::new(mantissa, exponent);
+        }
+        // `>>` on integers rounds down, for negative ones too.
+        let kept = match rounding {
+            Rounding::Down => mantissa >> excess,
+            Rounding::Up => -((-mantissa) >> excess),
+        };
+        Dyadic::new(kept, exponent + excess)
     }
 
     /// A rounded power with a natural exponent of a number that is not negative.

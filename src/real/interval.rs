@@ -39,12 +39,11 @@ impl Interval {
 
     /// The narrowest interval with ends of so many digits around a rational number.
     pub fn rational(x: &BigRational, bits: u32) -> Self {
-        let low = Dyadic::from_rational(x, bits, Rounding::Down);
-        if low.to_rational() == *x {
-            return Interval::point(low);
+        if let Some(exact) = Dyadic::exactly(x, bits) {
+            return Interval::point(exact);
         }
         Interval {
-            low,
+            low: Dyadic::from_rational(x, bits, Rounding::Down),
             high: Dyadic::from_rational(x, bits, Rounding::Up),
         }
     }

@@ -8,6 +8,7 @@
 pub mod complex;
 pub mod decimal;
 pub mod dyadic;
+mod fraction;
 pub mod functions;
 pub mod interval;
 pub mod number;

@@ -5,6 +5,7 @@
 //! outgrow the precision, an interval takes over. Every operation is given the binary digits to keep.
 
 use super::dyadic::Dyadic;
+use super::fraction;
 use super::functions;
 use super::interval::Interval;
 use super::series;
@@ -27,6 +28,11 @@ pub enum Real {
     Enclosed(Interval),
 }
 
+/// How many binary digits numerator and denominator have together while a number is kept exactly.
+fn longest(bits: u32) -> u64 {
+    u64::from(bits)
+}
+
 impl Real {
     /// An integer.
     pub fn integer(n: i64) -> Self {
@@ -45,7 +51,7 @@ impl Real {
 
     fn settled(x: BigRational, bits: u32) -> Self {
         let length = x.numer().bits() + x.denom().bits();
-        if length > 2 * u64::from(bits) + 64 {
+        if length > longest(bits) {
             Real::Enclosed(Interval::rational(&x, bits))
         } else {
             Real::Exact(x)
@@ -174,7 +180,7 @@ impl Real {
         match (self, other) {
             (Real::Exact(a), b) if a.is_zero() => b.clone(),
             (a, Real::Exact(b)) if b.is_zero() => a.clone(),
-            (Real::Exact(a), Real::Exact(b)) => Real::settled(a + b, bits),
+            (Real::Exact(a), Real::Exact(b)) => Real::settled(fraction::sum(a, b), bits),
             _ => Real::Enclosed(self.interval(bits).add(&other.interval(bits), bits)),
         }
     }
@@ -193,7 +199,7 @@ impl Real {
             (_, Real::Exact(b)) if b.is_zero() => Real::zero(),
             (Real::Exact(a), b) if a.is_one() => b.clone(),
             (a, Real::Exact(b)) if b.is_one() => a.clone(),
-            (Real::Exact(a), Real::Exact(b)) => Real::settled(a * b, bits),
+            (Real::Exact(a), Real::Exact(b)) => Real::settled(fraction::product(a, b), bits),
             _ => Real::Enclosed(self.interval(bits).multiply(&other.interval(bits), bits)),
         }
     }
@@ -203,7 +209,7 @@ impl Real {
         match (self, other) {
             (_, y) if y.may_vanish() => None,
             (Real::Exact(a), _) if a.is_zero() => Some(Real::zero()),
-            (Real::Exact(a), Real::Exact(b)) => Some(Real::settled(a / b, bits)),
+            (Real::Exact(a), Real::Exact(b)) => Some(Real::settled(fraction::quotient(a, b), bits)),
             _ => Some(Real::Enclosed(
                 self.interval(bits).divide(&other.interval(bits), bits)?,
             )),
@@ -215,9 +221,8 @@ impl Real {
         if n > LARGEST_EXPONENT {
             return None;
         }
-        let small = |x: &BigRational| {
-            (x.numer().bits() + x.denom().bits()) * u64::from(n) <= 2 * u64::from(bits) + 64
-        };
+        let small =
+            |x: &BigRational| (x.numer().bits() + x.denom().bits()) * u64::from(n) <= longest(bits);
         match self {
             Real::Exact(x) if x.is_zero() || x.is_one() && n > 0 => Some(if n == 0 {
                 Real::integer(1)
