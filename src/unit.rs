@@ -132,7 +132,12 @@ impl Units {
 
     /// The unit of a scalar expression in these names, in SI base units, as far as it is known.
     pub fn unit_of_expression(&mut self, expr: &Expr) -> Option<String> {
-        let measure = infer::Checker::new(&mut self.names, "").measure(expr);
+        let mut checker = infer::Checker::new(&mut self.names, "");
+        let measure = checker.measure(expr);
+        // A sum of terms with different units has none.
+        if !checker.findings.is_empty() || !checker.suspects.is_empty() {
+            return None;
+        }
         match measure {
             Measure::Scalar(entry) => self.shown(&entry),
             _ => None,

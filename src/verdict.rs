@@ -155,6 +155,10 @@ pub enum PositiveBy {
     Declared(String),
     /// So many leading principal minors are positive.
     Minors(usize),
+    /// All principal minors of a matrix of this order are not negative.
+    PrincipalMinors(usize),
+    /// It is made of definite matrices by sums, positive multiples, congruences and inverses.
+    Structure,
     /// So many Hurwitz determinants are positive.
     Hurwitz(usize),
     /// Its sign for all values of the letters.

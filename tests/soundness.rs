@@ -7,3 +7,9 @@ mod common;
 mod enclosures;
 #[path = "soundness/functions.rs"]
 mod functions;
+#[path = "soundness/limits.rs"]
+mod limits;
+#[path = "soundness/signs.rs"]
+mod signs;
+#[path = "soundness/statements.rs"]
+mod statements;

@@ -1,31 +1,59 @@
 //! Inequalities: positive definite matrices, signs of scalars, and stable matrices.
 //!
 //! A symmetric matrix is positive definite if and only if its leading principal minors are positive
-//! (Sylvester's criterion; Gantmacher, *The Theory of Matrices* I, 1959, ch. X). A matrix is stable
-//! if and only if its Hurwitz determinants are positive (Hurwitz 1895). The signs are decided for
-//! all values of the letters, those declared positive being positive.
+//! (Sylvester's criterion; Gantmacher, *The Theory of Matrices* I, 1959, ch. X), and positive
+//! semidefinite if and only if all principal minors are not negative: the leading ones are not enough.
+//! A matrix is stable if and only if its Hurwitz determinants are positive (Hurwitz 1895). The signs
+//! are decided for all admissible values of the letters; what is false is so at an admissible point
+//! at which the value certainly has another sign.
 
 use super::Checker;
+use super::admissible::Admissible;
+use super::sides::{CASE, Sides, sides_of};
 use crate::domain::Symbolic;
 use crate::evaluate::{Failure, Value};
 use crate::expr::{Display, Expr, ExprKind, Function, Relation};
 use crate::latex;
 use crate::matrix::Matrix;
 use crate::model::links::Link;
+use crate::model::matrices::MatrixSymbol;
 use crate::model::{Letter, Node};
 use crate::theory::{characteristic, determinant, hurwitz};
-use crate::verdict::certificate::{Ordered, Steps};
+use crate::verdict::certificate::{Fraction, Ordered, Steps};
 use crate::verdict::{
     Part, PointValue, PositiveBy, Positivity, Refutation, ResidualEntry, Verdict, Witness,
 };
 use num_rational::BigRational;
 use num_traits::Zero;
-use ratpoly::{Bound, Budget, RationalFunction, Region, RegionSign, sign_of_quotient_on};
+use ratpoly::{RationalFunction, RegionSign};
+use std::cmp::Ordering;
 
-/// What has to be positive, in the order in which it is asked, and what that shows.
+/// The principal minors of larger matrices are not looked at.
+const LARGEST: usize = 5;
+/// How many points are looked at for a rational value once an enclosed one is found.
+const MORE: usize = 3;
+
+/// What has to be positive, or not negative, in the order in which it is asked, and what that shows.
 struct Signs {
     positive: Vec<RationalFunction>,
     shows: Positivity,
+    /// Whether it is so in one of several cases of a definition only.
+    in_case: bool,
+}
+
+/// The larger and the smaller side of a relation of order, and whether they may not be equal.
+fn ordered(relation: Relation) -> Option<(bool, bool)> {
+    match relation {
+        Relation::Greater => Some((false, true)),
+        Relation::GreaterEqual => Some((false, false)),
+        Relation::Less => Some((true, true)),
+        Relation::LessEqual => Some((true, false)),
+        Relation::Equal
+        | Relation::NotEqual
+        | Relation::Distributed
+        | Relation::Approximately
+        | Relation::Tends => None,
+    }
 }
 
 impl Checker<'_> {
@@ -36,55 +64,122 @@ impl Checker<'_> {
         link: &Link,
         positivity: &mut Option<Positivity>,
     ) -> Verdict {
-        let display = self.display(equation);
+        let display = self.exact.display(equation).clone();
         let (Some(left), Some(right)) = (link.left.find(&display), link.right.find(&display))
         else {
             return undecided("a link without its sides");
         };
-        let (upper, lower) = match link.relation {
-            Relation::Greater | Relation::GreaterEqual => (left, right),
-            Relation::Less | Relation::LessEqual => (right, left),
-            _ => return undecided("only equations and inequalities are decided here"),
+        let Some((swapped, strict)) = ordered(link.relation) else {
+            return match link.relation {
+                Relation::NotEqual => self.different(equation, link),
+                Relation::Greater
+                | Relation::GreaterEqual
+                | Relation::Less
+                | Relation::LessEqual
+                | Relation::Equal
+                | Relation::Distributed
+                | Relation::Approximately
+                | Relation::Tends => undecided("only equations and inequalities are decided here"),
+            };
         };
-        let strict = matches!(link.relation, Relation::Greater | Relation::Less);
-        let signs = match self.signs_asked(upper, lower, strict) {
-            Ok(Ok(signs)) => signs,
-            Ok(Err(verdict)) => return verdict,
+        let (upper, lower) = if swapped {
+            (right, left)
+        } else {
+            (left, right)
+        };
+        let admissible = self.admissible();
+        let several = self.signs_asked(&display, link);
+        let several = match several {
+            Ok(Ok(several)) => several,
+            Ok(Err(verdict)) => {
+                let known = matches!(verdict, Verdict::Undecided { .. });
+                if known && self.is_definite(upper, lower, strict, &admissible) {
+                    *positivity = Some(by_structure());
+                    return self.ordered_holds(equation, link, &[], strict, &PositiveBy::Structure);
+                }
+                return verdict;
+            }
             Err(failure) => return self.failed(&failure),
         };
-        *positivity = Some(signs.shows);
-        for value in &signs.positive {
-            match self.sign(value) {
-                RegionSign::Positive => {}
-                RegionSign::Zero | RegionSign::NonNegative if !strict => {}
-                RegionSign::Undecided => {
-                    *positivity = None;
-                    return undecided("the sign of a determinant or expression is out of reach");
+        // What the structure of definite matrices shows needs no determinants.
+        let minors = several.iter().any(|signs| !signs.positive.is_empty());
+        let definite = |m: &MatrixSymbol| m.shape.positive_definite;
+        if minors
+            && self.model.matrices.iter().any(definite)
+            && self.is_definite(upper, lower, strict, &admissible)
+        {
+            *positivity = Some(by_structure());
+            return self.ordered_holds(equation, link, &[], strict, &PositiveBy::Structure);
+        }
+        let mut open = None;
+        for signs in &several {
+            for value in &signs.positive {
+                let Some(inserted) = self.spelt_out(value) else {
+                    return undecided("a denominator vanishes by the definitions");
+                };
+                let sign = admissible.sign(&inserted);
+                let fits = match sign {
+                    RegionSign::Positive => true,
+                    RegionSign::Zero | RegionSign::NonNegative => !strict,
+                    RegionSign::Negative
+                    | RegionSign::NonPositive
+                    | RegionSign::Changes { .. }
+                    | RegionSign::Undecided => false,
+                };
+                if fits {
+                    continue;
                 }
-                sign => {
-                    *positivity = None;
-                    let Some(mut refutation) = self.not_positive(value, &sign) else {
-                        return undecided(
-                            "it does not hold for all values by its signs, and no point was found \
-                             that shows it false",
-                        );
-                    };
+                // In one of several cases not all points are meant.
+                if !signs.in_case
+                    && let Some(mut refutation) =
+                        self.violation(value, &inserted, &sign, strict, &admissible)
+                {
                     // One of several conditions says little of where all hold.
-                    if signs.positive.len() > 1 {
+                    if signs.positive.len() > 1 || several.len() > 1 {
                         refutation.part = None;
                     }
                     return Verdict::Refuted(refutation);
                 }
+                open = Some(sign);
             }
         }
+        match open {
+            None => {
+                let positive = several.iter().flat_map(|signs| &signs.positive);
+                let positive: Vec<Fraction> = positive.map(Into::into).collect();
+                *positivity = several.into_iter().next().map(|signs| signs.shows);
+                let by = positivity.as_ref().map(|p| p.by.clone());
+                let by = by.unwrap_or(PositiveBy::Sign);
+                self.ordered_holds(equation, link, &positive, strict, &by)
+            }
+            Some(RegionSign::NonNegative) => {
+                undecided("it is not negative, and nothing shows that it vanishes nowhere")
+            }
+            Some(_) => undecided("the sign of a determinant or expression is out of reach"),
+        }
+    }
+
+    /// That an order holds, with what was found to be positive.
+    fn ordered_holds(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        positive: &[Fraction],
+        strict: bool,
+        by: &PositiveBy,
+    ) -> Verdict {
         let ordered = Ordered {
-            positive: signs.positive.iter().map(Into::into).collect(),
+            positive: positive.to_vec(),
             strict,
-            criterion: match &positivity.as_ref().map(|p| &p.by) {
-                Some(PositiveBy::Declared(name)) => format!("a positive multiple of {name}"),
-                Some(PositiveBy::Minors(_)) => "leading principal minors".into(),
-                Some(PositiveBy::Hurwitz(_)) => "Hurwitz determinants".into(),
-                Some(PositiveBy::Sign) | None => "its sign".into(),
+            criterion: match by {
+                PositiveBy::Declared(name) => format!("a positive multiple of {name}"),
+                PositiveBy::Minors(_) => "leading principal minors".into(),
+                PositiveBy::PrincipalMinors(_) => "all principal minors".into(),
+                PositiveBy::Structure => {
+                    "sums, congruences and inverses of definite matrices".into()
+                }
+                PositiveBy::Hurwitz(_) => "Hurwitz determinants".into(),
+                PositiveBy::Sign => "its sign".into(),
             },
         };
         match self.verified(equation, link, Steps::Ordered(ordered)) {
@@ -96,6 +191,68 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether the structure of a difference shows that it is definite, or semidefinite where that is
+    /// enough.
+    fn is_definite(
+        &mut self,
+        upper: &Expr,
+        lower: &Expr,
+        strict: bool,
+        admissible: &Admissible,
+    ) -> bool {
+        self.exact.cases_met = 0;
+        let found = self.definite_difference(upper, lower, admissible);
+        let cases = std::mem::take(&mut self.exact.cases_met);
+        cases <= 1 && found.is_some_and(|d| !d.negative && (d.strict || !strict))
+    }
+
+    /// The verdict on `left \neq right` for numbers.
+    fn different(&mut self, equation: usize, link: &Link) -> Verdict {
+        let admissible = self.admissible();
+        let entries = match self.sides(equation, link) {
+            Ok(entries) => entries,
+            Err(failure) => return self.failed(&failure),
+        };
+        let [entry] = entries.as_slice() else {
+            return undecided("matrices that differ");
+        };
+        let Some(difference) = self.spelt_out(&entry.difference()) else {
+            return undecided("a denominator vanishes by the definitions");
+        };
+        if matches!(
+            admissible.sign(&difference),
+            RegionSign::Positive | RegionSign::Negative
+        ) {
+            let positive = [Fraction::from(&difference)];
+            return self.ordered_holds(equation, link, &positive, true, &PositiveBy::Sign);
+        }
+        let equal = admissible.points(&difference).find(|point| {
+            admissible.certain(&difference, point) == Some(PointValue::Exact(zero()))
+        });
+        match equal.and_then(|point| self.exact_witness(entry, &point)) {
+            Some(witness) => {
+                Verdict::Refuted(Refutation::at(witness).with_residual(vec![entry.clone()]))
+            }
+            None => undecided("whether the sides are equal somewhere is out of reach"),
+        }
+    }
+
+    /// Both sides at a point where they have rational values.
+    fn exact_witness(
+        &self,
+        entry: &ResidualEntry,
+        point: &[Option<BigRational>],
+    ) -> Option<Witness> {
+        let at = |side: &RationalFunction| self.value_at(&self.spelt_out(side)?, point);
+        Some(Witness {
+            point: shown(point),
+            left: PointValue::Exact(at(&entry.left)?),
+            right: PointValue::Exact(at(&entry.right)?),
+            place: entry.place,
+            indices: entry.indices.clone(),
+        })
+    }
+
     /// What a link with a relation of order asks to be positive, or not negative, in the declared
     /// symbols; none where that is not known.
     pub(crate) fn asked_positive(
@@ -103,81 +260,70 @@ impl Checker<'_> {
         display: &Display,
         link: &Link,
     ) -> Option<Vec<RationalFunction>> {
-        let (left, right) = (link.left.find(display)?, link.right.find(display)?);
-        let (upper, lower) = match link.relation {
-            Relation::Greater | Relation::GreaterEqual => (left, right),
-            Relation::Less | Relation::LessEqual => (right, left),
-            _ => return None,
-        };
-        let strict = matches!(link.relation, Relation::Greater | Relation::Less);
-        let signs = self.signs_asked(upper, lower, strict).ok()?.ok()?;
-        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-        let inserted = signs.positive.iter().map(|f| f.substitute(&all.letters));
-        inserted.collect::<Result<_, _>>().ok()
+        let several = self.signs_asked(display, link).ok()?.ok()?;
+        let asked = several.iter().flat_map(|signs| &signs.positive);
+        asked.map(|f| self.spelt_out(f)).collect()
     }
 
-    /// What must be positive for `upper - lower` to be so; a verdict where that is clear already.
+    /// What must be positive for the larger side to be so, for every value of its running indices and
+    /// in each case; a verdict where that is clear already.
     fn signs_asked(
         &mut self,
-        upper: &Expr,
-        lower: &Expr,
-        strict: bool,
-    ) -> Result<Result<Signs, Verdict>, Failure> {
-        let field = self.model.field();
-        if let (Some(matrix), bound @ (Value::Zero | Value::Scalar(_)), true) =
-            (stability(lower), self.exact.expression(upper)?, strict)
-        {
-            // Re λ(A) < c if and only if Re λ(A - cE) < 0.
-            let value = self.exact.expression(matrix)?;
-            let value = match (value, bound) {
-                (Value::Matrix(m), Value::Scalar(c)) if m.is_square() => {
-                    Value::Matrix(Matrix::from_fn(m.rows(), m.rows(), |i, j| {
-                        if i == j {
-                            &m[(i, j)] - &c
-                        } else {
-                            m[(i, j)].clone()
-                        }
-                    }))
-                }
-                (Value::Scalar(s), Value::Scalar(c)) => Value::Scalar(&s - &c),
-                (value, _) => value,
-            };
-            let matrix = match value {
-                Value::Matrix(m) if m.is_square() => m,
-                Value::Scalar(s) => Matrix::from_fn(1, 1, |_, _| s.clone()),
-                _ => {
-                    return Ok(Err(undecided(
-                        "the eigenvalues of what is no square matrix",
-                    )));
-                }
-            };
-            let positive = characteristic::characteristic_coefficients(&field, &matrix)
-                .and_then(|c| hurwitz::hurwitz_matrix(&field, &c))
-                .map(|h| leading_minors(&field, &h));
-            return Ok(match positive {
-                Some(positive) => Ok(Signs {
-                    shows: Positivity {
-                        form: false,
-                        by: PositiveBy::Hurwitz(positive.len()),
-                    },
-                    positive,
-                }),
-                None => Err(undecided("the Hurwitz determinants are out of reach")),
-            });
-        }
-        let (above, below) = (self.exact.expression(upper)?, self.exact.expression(lower)?);
-        let value = crate::evaluate::value::subtract(&field, &above, &below, upper.span)?;
-        let matrix = match value {
-            Value::Zero => Matrix::from_fn(1, 1, |_, _| RationalFunction::zero(self.model.ring)),
-            Value::Scalar(s) => Matrix::from_fn(1, 1, |_, _| s.clone()),
-            Value::Matrix(m) if m.is_square() => m,
-            Value::Matrix(_) => return Ok(Err(undecided("a matrix that is not square"))),
+        display: &Display,
+        link: &Link,
+    ) -> Result<Result<Vec<Signs>, Verdict>, Failure> {
+        let missing = || Failure::unsupported("a link without its sides", Default::default());
+        let (swapped, strict) = ordered(link.relation).ok_or_else(missing)?;
+        let left = link.left.find(display).ok_or_else(missing)?;
+        let right = link.right.find(display).ok_or_else(missing)?;
+        let (upper, lower) = if swapped {
+            (right, left)
+        } else {
+            (left, right)
         };
-        if let Some(refutation) = self.asymmetry(&matrix) {
-            return Ok(Err(Verdict::Refuted(refutation)));
+        if let (Some(matrix), true) = (stability(lower), strict) {
+            let matrix = matrix.clone();
+            return Ok(self.stable(&matrix, upper)?.map(|signs| vec![signs]));
         }
-        if !strict && matrix.rows() > 1 {
-            return Ok(Err(undecided("a semidefinite matrix")));
+        let field = self.model.field();
+        let sides = sides_of(&mut self.exact, display, link, upper.span)?;
+        let cases = sides.len() > 1 && display_has_cases(&sides);
+        let mut several = Vec::new();
+        for (_, left, right) in sides {
+            let (above, below) = if swapped {
+                (right, left)
+            } else {
+                (left, right)
+            };
+            let value = crate::evaluate::value::subtract(&field, &above, &below, upper.span)?;
+            let matrix = match value {
+                Value::Zero => {
+                    Matrix::from_fn(1, 1, |_, _| RationalFunction::zero(self.model.ring))
+                }
+                Value::Scalar(s) => Matrix::from_fn(1, 1, |_, _| s.clone()),
+                Value::Matrix(m) if m.is_square() => m,
+                Value::Matrix(_) => return Ok(Err(undecided("a matrix that is not square"))),
+            };
+            match self.signs_of_form(matrix, strict) {
+                Ok(signs) => several.push(Signs {
+                    in_case: cases,
+                    ..signs
+                }),
+                Err(verdict) => return Ok(Err(verdict)),
+            }
+        }
+        Ok(Ok(several))
+    }
+
+    /// What must be positive for a matrix to be definite, or not negative for it to be semidefinite.
+    fn signs_of_form(
+        &mut self,
+        matrix: Matrix<RationalFunction>,
+        strict: bool,
+    ) -> Result<Signs, Verdict> {
+        let field = self.model.field();
+        if let Some(refutation) = self.asymmetry(&matrix) {
+            return Err(Verdict::Refuted(refutation));
         }
         // A quadratic form is positive wherever its letters do not all vanish if its matrix is so.
         let gram = (matrix.rows() == 1)
@@ -185,18 +331,76 @@ impl Checker<'_> {
             .flatten();
         let form = gram.is_some();
         let matrix = gram.unwrap_or(matrix);
-        let (by, positive) = match self.declared_definite(&matrix) {
-            Some(name) => (PositiveBy::Declared(name), Vec::new()),
-            None if matrix.rows() == 1 => (PositiveBy::Sign, vec![matrix[(0, 0)].clone()]),
-            None => (
-                PositiveBy::Minors(matrix.rows()),
-                leading_minors(&field, &matrix),
-            ),
+        if let Some(name) = self.declared_definite(&matrix) {
+            return Ok(Signs {
+                positive: Vec::new(),
+                shows: Positivity {
+                    form,
+                    by: PositiveBy::Declared(name),
+                },
+                in_case: false,
+            });
+        }
+        let n = matrix.rows();
+        let (minors, by) = if n == 1 {
+            (Some(vec![matrix[(0, 0)].clone()]), PositiveBy::Sign)
+        } else if strict {
+            (leading_minors(&field, &matrix), PositiveBy::Minors(n))
+        } else {
+            let minors = principal_minors(&field, &matrix);
+            (minors, PositiveBy::PrincipalMinors(n))
         };
-        Ok(Ok(Signs {
-            positive,
-            shows: Positivity { form, by },
-        }))
+        match minors {
+            Some(positive) => Ok(Signs {
+                positive,
+                shows: Positivity { form, by },
+                in_case: false,
+            }),
+            None => Err(undecided("the minors are out of reach")),
+        }
+    }
+
+    /// What must be positive for every eigenvalue of a matrix to have a smaller real part.
+    fn stable(&mut self, matrix: &Expr, upper: &Expr) -> Result<Result<Signs, Verdict>, Failure> {
+        let field = self.model.field();
+        let bound = match self.exact.expression(upper)? {
+            Value::Zero => RationalFunction::zero(self.model.ring),
+            Value::Scalar(bound) => bound,
+            Value::Matrix(_) => return Ok(Err(undecided("a real part below a matrix"))),
+        };
+        // Re λ(A) < c if and only if Re λ(A - cE) < 0.
+        let shifted = |m: &Matrix<RationalFunction>| {
+            Matrix::from_fn(m.rows(), m.rows(), |i, j| {
+                if i == j {
+                    &m[(i, j)] - &bound
+                } else {
+                    m[(i, j)].clone()
+                }
+            })
+        };
+        let matrix = match self.exact.expression(matrix)? {
+            Value::Matrix(m) if m.is_square() => shifted(&m),
+            Value::Scalar(s) => shifted(&Matrix::from_fn(1, 1, |_, _| s.clone())),
+            Value::Matrix(_) | Value::Zero => {
+                return Ok(Err(undecided(
+                    "the eigenvalues of what is no square matrix",
+                )));
+            }
+        };
+        let positive = characteristic::characteristic_coefficients(&field, &matrix)
+            .and_then(|c| hurwitz::hurwitz_matrix(&field, &c))
+            .and_then(|h| leading_minors(&field, &h));
+        Ok(match positive {
+            Some(positive) => Ok(Signs {
+                shows: Positivity {
+                    form: false,
+                    by: PositiveBy::Hurwitz(positive.len()),
+                },
+                positive,
+                in_case: false,
+            }),
+            None => Err(undecided("the Hurwitz determinants are out of reach")),
+        })
     }
 
     /// The declared positive definite matrix that this one is a positive multiple of.
@@ -283,74 +487,123 @@ impl Checker<'_> {
         different.then(|| self.refutation(&open, &expanded))?
     }
 
-    /// The sign for all values of the letters, the definitions inserted.
+    /// The sign for all admissible values of the letters, the definitions inserted.
     pub(super) fn sign(&self, value: &RationalFunction) -> RegionSign {
-        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-        let Ok(value) = value.substitute(&all.letters) else {
-            return RegionSign::Undecided;
-        };
-        let line = (Bound::NegativeInfinity, Bound::PositiveInfinity);
-        let intervals: Vec<(Bound, Bound)> = (0..self.model.letters.len())
-            .map(|letter| {
-                if self.model.is_positive(letter) {
-                    (Bound::from(0), Bound::PositiveInfinity)
-                } else {
-                    line.clone()
-                }
-            })
-            .collect();
-        Region::new(intervals)
-            .and_then(|region| sign_of_quotient_on(&value, &region, &Budget::default()))
-            .unwrap_or(RegionSign::Undecided)
+        match self.spelt_out(value) {
+            Some(value) => self.admissible().sign(&value),
+            None => RegionSign::Undecided,
+        }
     }
 
-    /// A point at which what should be positive is not.
-    fn not_positive(&self, value: &RationalFunction, sign: &RegionSign) -> Option<Refutation> {
-        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-        let expanded = value
-            .substitute(&all.letters)
-            .unwrap_or_else(|_| value.clone());
+    /// An admissible point at which what should be positive, or not negative, certainly is not.
+    fn violation(
+        &self,
+        value: &RationalFunction,
+        inserted: &RationalFunction,
+        sign: &RegionSign,
+        strict: bool,
+        admissible: &Admissible,
+    ) -> Option<Refutation> {
+        let letters = super::identity::letters_of([inserted]);
+        let known = match sign {
+            RegionSign::Changes { negative, .. } => {
+                let mut point = vec![None; negative.len()];
+                for letter in &letters {
+                    point[*letter] = Some(negative[*letter].clone());
+                }
+                Some(point)
+            }
+            RegionSign::Positive => return None,
+            RegionSign::Zero
+            | RegionSign::Negative
+            | RegionSign::NonNegative
+            | RegionSign::NonPositive
+            | RegionSign::Undecided => None,
+        };
+        let violates = |value: &PointValue| match order(value) {
+            Some(Ordering::Less) => true,
+            Some(Ordering::Equal) => strict,
+            Some(Ordering::Greater) | None => false,
+        };
+        let mut found: Option<(Vec<Option<BigRational>>, PointValue)> = None;
+        let mut more = MORE;
+        for point in known.into_iter().chain(admissible.points(inserted)) {
+            if found.is_some() {
+                more -= 1;
+                if more == 0 {
+                    break;
+                }
+            }
+            let Some(value) = admissible.certain(inserted, &point).filter(violates) else {
+                continue;
+            };
+            // A number that can be written down tells more than one that is enclosed.
+            let exact = value.exact().is_some();
+            if exact || found.is_none() {
+                found = Some((point, value));
+            }
+            if exact {
+                break;
+            }
+        }
+        let (point, left) = found?;
+        let witness = Witness {
+            point: shown(&point),
+            left,
+            right: PointValue::Exact(zero()),
+            place: None,
+            indices: Vec::new(),
+        };
         let entry = ResidualEntry {
             indices: Vec::new(),
             place: None,
             left: value.clone(),
             right: RationalFunction::zero(self.model.ring),
         };
-        let letters = super::identity::letters_of([&expanded]);
-        let candidates = match sign {
-            RegionSign::Changes { negative, .. } => vec![negative.clone()],
-            _ => vec![
-                self.reference_point(),
-                vec![BigRational::zero(); self.model.letters.len()],
-            ],
-        };
-        let witness = candidates.into_iter().find_map(|point| {
-            let found = expanded.evaluate(&point).ok()?;
-            let zero = BigRational::zero();
-            (found <= zero).then(|| Witness {
-                point: letters
-                    .iter()
-                    .map(|l| (*l, PointValue::Exact(point[*l].clone())))
-                    .collect(),
-                left: PointValue::Exact(found),
-                right: PointValue::Exact(zero),
-                place: None,
-                indices: Vec::new(),
-            })
-        });
+        let mut refutation = Refutation::at(witness).with_residual(vec![entry]);
         // Where it changes its sign, the inequality is true on a part.
-        let part = match sign {
-            RegionSign::Changes { positive, .. } => expanded
-                .evaluate(positive)
-                .is_ok_and(|value| value > BigRational::zero())
-                .then(|| letters.iter().map(|l| (*l, positive[*l].clone())).collect())
-                .map(Part::Around),
-            _ => None,
-        };
-        let mut refutation = Refutation::at(witness?).with_residual(vec![entry]);
-        refutation.part = part;
+        if let RegionSign::Changes { positive, .. } = sign {
+            let around = letters.iter().map(|l| (*l, positive[*l].clone())).collect();
+            refutation.part = Some(Part::Around(around));
+        }
         Some(refutation)
     }
+}
+
+fn zero() -> BigRational {
+    BigRational::zero()
+}
+
+/// The order of a value and zero, if it is certain.
+fn order(value: &PointValue) -> Option<Ordering> {
+    match value {
+        PointValue::Exact(number) => Some(number.cmp(&zero())),
+        PointValue::Between(low, _) if *low > zero() => Some(Ordering::Greater),
+        PointValue::Between(_, high) if *high < zero() => Some(Ordering::Less),
+        PointValue::Between(..) | PointValue::Complex(_) => None,
+    }
+}
+
+/// The letters that have values at a point.
+fn shown(point: &[Option<BigRational>]) -> Vec<(usize, PointValue)> {
+    let known = |(letter, value): (usize, &Option<BigRational>)| {
+        Some((letter, PointValue::Exact(value.clone()?)))
+    };
+    point.iter().enumerate().filter_map(known).collect()
+}
+
+fn by_structure() -> Positivity {
+    Positivity {
+        form: false,
+        by: PositiveBy::Structure,
+    }
+}
+
+/// Whether the sides belong to cases of a definition.
+fn display_has_cases<E>(sides: &Sides<E>) -> bool {
+    sides
+        .iter()
+        .any(|(indices, ..)| indices.iter().any(|(name, _)| name == CASE))
 }
 
 fn undecided(reason: &str) -> Verdict {
@@ -360,9 +613,32 @@ fn undecided(reason: &str) -> Verdict {
 }
 
 /// The leading principal minors.
-fn leading_minors(field: &Symbolic, matrix: &Matrix<RationalFunction>) -> Vec<RationalFunction> {
+fn leading_minors(
+    field: &Symbolic,
+    matrix: &Matrix<RationalFunction>,
+) -> Option<Vec<RationalFunction>> {
     (1..=matrix.rows())
-        .filter_map(|n| determinant::determinant(field, &matrix.leading(n)))
+        .map(|n| determinant::determinant(field, &matrix.leading(n)))
+        .collect()
+}
+
+/// All principal minors.
+fn principal_minors(
+    field: &Symbolic,
+    matrix: &Matrix<RationalFunction>,
+) -> Option<Vec<RationalFunction>> {
+    let n = matrix.rows();
+    if n > LARGEST {
+        return None;
+    }
+    (1_usize..1 << n)
+        .map(|chosen| {
+            let kept: Vec<usize> = (0..n).filter(|i| chosen >> i & 1 == 1).collect();
+            let minor = Matrix::from_fn(kept.len(), kept.len(), |i, j| {
+                matrix[(kept[i], kept[j])].clone()
+            });
+            determinant::determinant(field, &minor)
+        })
         .collect()
 }
 

@@ -162,7 +162,7 @@ impl<'m> Changes<'m> {
         Changes {
             model,
             checker: Checker::new(model, Options::default()).ok(),
-            ground: Ground::of(model),
+            ground: Ground::of(model, 0),
         }
     }
 

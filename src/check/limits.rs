@@ -2,36 +2,45 @@
 //!
 //! `\Omega \to 0, \Phi(\Omega) \to \infty`: the clause about a letter says where it goes, the other
 //! clauses say what becomes of something there. An argument that is printed as a number is the
-//! point itself: `\Phi(0) \to \infty` speaks of the limit at zero and of no other.
+//! point itself: `\Phi(0) \to \infty` speaks of the limit at zero and of no other. A goal inside of a
+//! letter's range is approached from both sides, and both must lead to the printed limit.
+
+mod points;
+mod ways;
 
 use super::Checker;
 use super::edit::{Address, Replacement};
-use crate::evaluate::{Failure, FailureKind, Value};
+use crate::evaluate::{Condition, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
-use crate::functions::{FunctionTable, Impossible};
+use crate::functions::FunctionTable;
 use crate::model::links::{Link, Place, children, children_mut};
 use crate::model::names::Resolved;
-use crate::theory::limit::{Limit, Towards, limit};
+use crate::theory::limit::{Behaviour, Limit, Towards};
 use crate::verdict::certificate::{Leading, Steps};
 use crate::verdict::{
     Changed, Correction, CounterProof, EditClass, Refutation, ResidualEntry, Shown, Structure,
     Verdict,
 };
-use num_rational::BigRational;
-use num_traits::{Signed, Zero};
-use ratpoly::RationalFunction;
-
-/// The powers of four at which a limit is looked at: on the way there, and much farther.
-const NEAR: usize = 6;
-const FAR: usize = 20;
+use num_traits::Zero;
+use ratpoly::{Polynomial, RationalFunction};
+use ways::infinite;
+pub(crate) use ways::{Printed, Way, compared, ways_of};
 
 /// Where a display says that a letter goes.
 struct Approach {
     place: Place,
     letter: Name,
     symbol: usize,
-    towards: Towards,
+    goal: Expr,
+}
+
+/// What a limit was found to be, compared with the printed one.
+enum Found {
+    /// It is the printed one wherever these polynomials do not vanish.
+    True(Vec<Polynomial>),
+    /// It is not, for what is shown.
+    False(Shown),
 }
 
 impl Checker<'_> {
@@ -44,9 +53,12 @@ impl Checker<'_> {
                 what: "where the limit is taken".into(),
             };
         }
-        let flaw = match self.flaw_of_limit(&display, link, approach.as_ref()) {
-            Ok(None) => return self.limit_holds(equation, link),
-            Ok(Some(flaw)) => flaw,
+        let flaw = match self.judged_limit(&display, link, approach.as_ref()) {
+            Ok(Found::True(conditions)) => {
+                self.suppose_nonzero(conditions, &display, link);
+                return self.limit_holds(equation, link);
+            }
+            Ok(Found::False(shown)) => shown,
             Err(failure) => return self.failed(&failure),
         };
         let residual = self.limit_residual(&flaw, &display, link);
@@ -55,9 +67,10 @@ impl Checker<'_> {
         let Some(approach) = approach else {
             return Verdict::Refuted(refutation);
         };
-        let kind = match approach.towards {
-            Towards::Zero => ExprKind::Infinity,
-            Towards::Infinity => ExprKind::Number(num_rational::BigRational::zero()),
+        let kind = match towards(&approach.goal) {
+            Some(Towards::Zero) => ExprKind::Infinity,
+            Some(Towards::Infinity) => ExprKind::Number(num_rational::BigRational::zero()),
+            None => return Verdict::Refuted(refutation),
         };
         let replacement = Replacement {
             address: Address {
@@ -72,11 +85,9 @@ impl Checker<'_> {
         let edit = replacement.describe(&display);
         replacement.apply(&mut corrected);
         let approach = self.approach(&corrected, link);
-        match (
-            self.flaw_of_limit(&corrected, link, approach.as_ref()),
-            edit,
-        ) {
-            (Ok(None), Some(edit)) => {
+        let judged = self.judged_limit(&corrected, link, approach.as_ref());
+        match (judged, edit) {
+            (Ok(Found::True(conditions)), Some(edit)) if conditions.is_empty() => {
                 self.exact.correct(equation, corrected.clone());
                 let Verdict::Holds { proof, .. } = self.limit_holds(equation, link) else {
                     self.exact.correct(equation, display);
@@ -105,16 +116,29 @@ impl Checker<'_> {
         }
     }
 
+    /// Lists that the coefficients of leading terms do not vanish, beside the divisors.
+    fn suppose_nonzero(&mut self, conditions: Vec<Polynomial>, display: &Display, link: &Link) {
+        let span = link
+            .left
+            .find(display)
+            .map_or_else(Default::default, |e| e.span);
+        let conditions = conditions.into_iter().map(|divisor| Condition {
+            divisor: divisor.into(),
+            origin: Origin::Divisor(span),
+        });
+        self.exact.conditions.extend(conditions);
+    }
+
     /// That a limit is the printed one, with the quotient whose leading terms show it.
     fn limit_holds(&mut self, equation: usize, link: &Link) -> Verdict {
         let display = self.exact.display(equation).clone();
         let approach = self.approach(&display, link);
         let moved = approach.as_ref().and_then(|approach| {
             let mut moving = link.left.find(&display)?.clone();
-            set_moving(&mut moving, approach, &mut false);
+            set_moving(&mut moving, approach);
             let letter = self.model.letter_of_symbol(approach.symbol, 0)?;
             match self.exact.expression(&moving).ok()? {
-                Value::Scalar(value) => Some((self.spelt_out(&self.table(), &value)?, letter)),
+                Value::Scalar(value) => Some((self.spelt_out(&value)?, letter)),
                 Value::Matrix(_) | Value::Zero => None,
             }
         });
@@ -153,13 +177,12 @@ impl Checker<'_> {
                 && let ExprKind::Name(letter) = &left.kind
                 && let Ok(Resolved::Letter { symbol, order: 0 }) =
                     self.model.resolve(letter, &|_| false)
-                && let Some(towards) = towards(right)
             {
                 found.push(Approach {
                     place: Place::Member { clause, member: 1 },
                     letter: letter.clone(),
                     symbol,
-                    towards,
+                    goal: right.clone(),
                 });
             }
         }
@@ -169,189 +192,190 @@ impl Checker<'_> {
         found.pop().filter(|a| others || a.place != link.right)
     }
 
-    /// What is wrong with the statement; nothing where it is true.
-    fn flaw_of_limit(
+    /// Whether the statement is true; what shows it where it is not.
+    ///
+    /// # Errors
+    /// Where that is not known.
+    fn judged_limit(
         &mut self,
         display: &Display,
         link: &Link,
         approach: Option<&Approach>,
-    ) -> Result<Option<Shown>, Failure> {
+    ) -> Result<Found, Failure> {
         let missing = || Failure::unsupported("a link without its sides", Default::default());
         let left = link.left.find(display).ok_or_else(missing)?;
         let right = link.right.find(display).ok_or_else(missing)?;
-        let infinite = match &right.kind {
-            ExprKind::Infinity => Some(Sign::Plus),
-            ExprKind::Sum(terms) => match &terms[..] {
-                [(sign, term)] if term.kind == ExprKind::Infinity => Some(*sign),
-                _ => None,
+        let unsupported = |what: &str| Failure::unsupported(what, left.span);
+        let goal = match infinite(right) {
+            Some(Sign::Plus) => Printed::Infinite,
+            Some(Sign::Minus) => Printed::MinusInfinite,
+            None => match self.exact.expression(right)? {
+                Value::Zero => Printed::To(RationalFunction::zero(self.model.ring)),
+                Value::Scalar(printed) => {
+                    Printed::To(self.spelt_out(&printed).ok_or_else(missing)?)
+                }
+                Value::Matrix(_) => return Err(unsupported("a limit of a matrix")),
             },
-            _ => None,
         };
         let mut moving = left.clone();
         if let Some(approach) = approach {
-            let mut elsewhere = false;
-            set_moving(&mut moving, approach, &mut elsewhere);
-            if elsewhere {
-                return Ok(Some(Shown::Structure(Structure::Elsewhere)));
+            let elsewhere = set_moving(&mut moving, approach);
+            if elsewhere && !mentions(&moving, &approach.letter) {
+                return Ok(Found::False(Shown::Structure(Structure::Elsewhere)));
             }
         }
-        let mut wrong = None;
+        let ways = match approach {
+            Some(approach) => Some(self.ways(approach)?),
+            None => None,
+        };
+        let mut found: Vec<Result<Found, Failure>> = Vec::new();
         self.exact.cases_met = 0;
-        let mut case = 0;
-        loop {
-            self.exact.begin_case(case);
+        let cases = loop {
+            self.exact.begin_case(found.len());
             let value = self.exact.expression(&moving);
             let cases = self.exact.cases_met;
-            if case + 1 >= cases || value.is_err() {
+            if found.len() + 1 >= cases || value.is_err() {
                 (self.exact.case, self.exact.cases_met) = (0, 0);
             }
-            let found = match value {
+            found.push(match value {
                 Err(Failure {
                     kind: FailureKind::Divergent { positive: true, .. },
                     ..
-                }) => Limit::Infinite,
+                }) => Ok(match goal {
+                    Printed::Infinite => Found::True(Vec::new()),
+                    Printed::To(_) | Printed::MinusInfinite => {
+                        Found::False(Shown::CounterProof(CounterProof::Limit(Limit::Infinite)))
+                    }
+                }),
                 Err(failure) => return Err(failure),
-                Ok(Value::Scalar(value)) => match approach {
-                    Some(approach) => {
-                        let letter = self.model.letter_of_symbol(approach.symbol, 0);
-                        let letter = letter.ok_or_else(missing)?;
-                        let table = self.table();
-                        let value = self.spelt_out(&table, &value).ok_or_else(missing)?;
-                        limit(&table, &value, letter, approach.towards)
-                            .map_err(|why: Impossible| Failure::impossible(why, left.span))?
-                    }
-                    None => Limit::To(value),
-                },
-                Ok(_) => return Err(Failure::unsupported("a limit of a matrix", left.span)),
-            };
-            let agrees = match (&found, infinite) {
-                (Limit::Infinite, Some(Sign::Plus)) | (Limit::MinusInfinite, Some(Sign::Minus)) => {
-                    true
+                Ok(Value::Matrix(_)) => return Err(unsupported("a limit of a matrix")),
+                Ok(Value::Zero) => {
+                    let zero = RationalFunction::zero(self.model.ring);
+                    self.limit_of(&zero, &goal, ways.as_ref(), left)
                 }
-                (Limit::To(found), None) => match self.exact.expression(right)? {
-                    Value::Scalar(printed) => {
-                        let table = self.table();
-                        let printed = self.spelt_out(&table, &printed).ok_or_else(missing)?;
-                        self.spelt_out(&table, found).ok_or_else(missing)? == printed
-                    }
-                    _ => return Err(Failure::unsupported("this limit", right.span)),
-                },
-                _ => false,
-            };
-            if !agrees && wrong.is_none() {
-                wrong = Some(Shown::CounterProof(CounterProof::Limit(found)));
+                Ok(Value::Scalar(value)) => {
+                    let value = self.spelt_out(&value).ok_or_else(missing)?;
+                    self.limit_of(&value, &goal, ways.as_ref(), left)
+                }
+            });
+            if found.len() >= cases {
+                break cases;
             }
-            case += 1;
-            if case >= cases {
-                return Ok(wrong);
+        };
+        let (mut conditions, mut shown, mut failure) = (Vec::new(), Vec::new(), None);
+        for one in found {
+            match one {
+                Ok(Found::True(more)) => conditions.extend(more),
+                Ok(Found::False(why)) => shown.push(why),
+                Err(why) => failure = failure.or(Some(why)),
             }
+        }
+        // Which of several cases is meant, nothing says here.
+        if shown.len() == cases.max(1) {
+            return Ok(Found::False(shown.swap_remove(0)));
+        }
+        match failure {
+            Some(failure) => Err(failure),
+            None if shown.is_empty() => Ok(Found::True(conditions)),
+            None => Err(unsupported("a limit that differs from case to case")),
         }
     }
 
-    /// Whether a statement about a limit looks true at points on the way there, as a second opinion
-    /// beside the verdict: what grows without bound grows, the integrand of an infinite integral falls
-    /// no faster than the reciprocal of its variable, and what has a limit comes closer to it. None
-    /// where nothing has a value at such points.
-    pub(crate) fn tends_at_points(&mut self, display: &Display, link: &Link) -> Option<bool> {
-        let left = link.left.find(display)?;
-        let right = link.right.find(display)?;
-        let infinite = right.kind == ExprKind::Infinity;
-        let approach = self.approach(display, link);
-        if approach.is_none() && !infinite {
-            return None;
-        }
-        let mut case = 0;
-        // What is defined by cases has to tend there in each.
-        loop {
-            self.exact.cases_met = 0;
-            let looks = match &approach {
-                None => self.integral_at_points(left, case),
-                Some(approach) => self.limit_at_points([left, right], approach, infinite, case),
-            };
-            let cases = std::mem::take(&mut self.exact.cases_met);
-            case += 1;
-            match looks {
-                Some(true) if case < cases => {}
-                looks => return looks,
-            }
-        }
-    }
-
-    fn limit_at_points(
+    /// The limit of a value on all ways to the goal, beside the printed one.
+    fn limit_of(
         &mut self,
-        [left, right]: [&Expr; 2],
-        approach: &Approach,
-        infinite: bool,
-        case: usize,
-    ) -> Option<bool> {
-        let mut moving = left.clone();
-        set_moving(&mut moving, approach, &mut false);
-        let mut at = |expr: &Expr, power| {
-            let point = self.at_point(expr, approach.symbol, approach.towards, power, case);
-            Some(point?.0)
+        value: &RationalFunction,
+        printed: &Printed,
+        ways: Option<&Vec<Way>>,
+        left: &Expr,
+    ) -> Result<Found, Failure> {
+        let admissible = self.admissible();
+        let Some(ways) = ways else {
+            // Nothing moves but the variables of integrals.
+            let limit = Behaviour::Tends(Limit::To(value.clone()), Vec::new());
+            return match compared(&limit, printed, &admissible) {
+                Some(true) => Ok(Found::True(Vec::new())),
+                Some(false) if has_integral(left) => {
+                    let limit = Limit::To(value.clone());
+                    Ok(Found::False(Shown::CounterProof(CounterProof::Limit(
+                        limit,
+                    ))))
+                }
+                Some(false) | None => Err(Failure::unsupported(
+                    "a limit without a word where a letter goes",
+                    left.span,
+                )),
+            };
         };
-        let (near, far) = (at(&moving, NEAR)?, at(&moving, FAR)?);
-        if infinite {
-            return Some(near.is_positive() && far > near);
+        if let (Printed::To(goal), Some(way)) = (printed, ways.first())
+            && super::identity::letters_of([goal]).contains(&way.letter)
+        {
+            return Err(Failure::unsupported(
+                "a limit that depends on the letter that moves",
+                left.span,
+            ));
         }
-        let there = at(right, FAR)?;
-        let (near, far) = ((near - &there).abs(), (far - &there).abs());
-        Some(far.is_zero() || far < near)
-    }
-
-    fn integral_at_points(&mut self, expr: &Expr, case: usize) -> Option<bool> {
-        let (body, variable, ends) = infinite_integral(expr)?;
-        let Ok(Resolved::Letter { symbol, order: 0 }) = self.model.resolve(&variable, &|_| false)
-        else {
-            return None;
-        };
-        let mut grows = |towards: Towards| {
-            let (near, at) = self.at_point(&body, symbol, towards, NEAR, case)?;
-            let (far, beyond) = self.at_point(&body, symbol, towards, FAR, case)?;
-            Some(near.is_positive() && far * beyond >= near * at)
-        };
-        let found: Vec<bool> = ends.into_iter().filter_map(&mut grows).collect();
-        (!found.is_empty()).then(|| found.contains(&true))
-    }
-
-    /// The value of an expression where a symbol is a power of four on its way to zero or to infinity
-    /// and all others are at the reference point, with the symbol's own value; where it is irrational,
-    /// the middle of an interval around it.
-    fn at_point(
-        &mut self,
-        expr: &Expr,
-        symbol: usize,
-        towards: Towards,
-        power: usize,
-        case: usize,
-    ) -> Option<(BigRational, BigRational)> {
-        let letter = self.model.letter_of_symbol(symbol, 0)?;
-        self.exact.begin_case(case);
-        let value = self.exact.expression(expr);
-        self.exact.case = 0;
-        let Ok(Value::Scalar(value)) = value else {
-            return None;
-        };
         let table = self.table();
-        let value = self.spelt_out(&table, &value)?;
-        let large = num_traits::pow(BigRational::from_integer(4.into()), power);
-        let at = match towards {
-            Towards::Zero => large.recip(),
-            Towards::Infinity => large,
-        };
-        let mut point: Vec<Option<BigRational>> =
-            self.reference_point().into_iter().map(Some).collect();
-        for (k, place) in point.iter_mut().enumerate() {
-            if self.is_function(k) {
-                *place = None;
+        let mut conditions = Vec::new();
+        let mut failure = None;
+        let mut limits: Vec<Limit> = Vec::new();
+        let mut wrong = None;
+        for way in ways {
+            let behaviour = match way.behaviour(value, &table, &admissible) {
+                Ok(behaviour) => behaviour,
+                Err(why) => {
+                    failure = Some(Failure::impossible(why, left.span));
+                    continue;
+                }
+            };
+            match compared(&behaviour, printed, &admissible) {
+                Some(true) => {
+                    if let Behaviour::Tends(_, more) = &behaviour {
+                        conditions.extend(more.iter().cloned());
+                    }
+                }
+                Some(false) => wrong = wrong.or(Some(behaviour.clone())),
+                None => {
+                    let what = "a limit whose sign or value depends on its letters";
+                    failure = Some(Failure::unsupported(what, left.span));
+                }
+            }
+            if let Behaviour::Tends(limit, conditions) = behaviour
+                && conditions.is_empty()
+                && !limits.contains(&limit)
+            {
+                limits.push(limit);
             }
         }
-        point[letter] = Some(at.clone());
-        let value = match self.value_at(&value, &point) {
-            Some(value) => value,
-            None => table.enclosure(&value, &point)?.middle(),
-        };
-        Some((value, at))
+        if let Some(wrong) = wrong {
+            let proof = match (wrong, limits.as_slice()) {
+                (Behaviour::Two(one, other), _) => CounterProof::TwoLimits(one, other),
+                (Behaviour::Tends(one, _), [first, second]) if &one == first || &one == second => {
+                    CounterProof::TwoLimits(first.clone(), second.clone())
+                }
+                (Behaviour::Tends(limit, _), _) => CounterProof::Limit(limit),
+                // Of either sign, it leaves every bound.
+                (Behaviour::Unbounded(_), _) => CounterProof::Limit(Limit::Infinite),
+            };
+            return Ok(Found::False(Shown::CounterProof(proof)));
+        }
+        if let Some(failure) = failure {
+            return Err(failure);
+        }
+        let reference = self.reference_point();
+        for condition in &conditions {
+            let known = condition
+                .variables_occurring()
+                .iter()
+                .all(|l| self.has_reference(*l));
+            if known && condition.evaluate(&reference).is_ok_and(|v| v.is_zero()) {
+                return Err(Failure::unsupported(
+                    "a limit whose leading term vanishes at the declared values",
+                    left.span,
+                ));
+            }
+        }
+        Ok(Found::True(conditions))
     }
 
     /// The functions of the document, or none.
@@ -365,13 +389,12 @@ impl Checker<'_> {
     }
 
     /// With all definitions inserted: a letter may go to its limit behind one of them.
-    fn spelt_out(
-        &self,
-        table: &FunctionTable,
-        value: &RationalFunction,
-    ) -> Option<RationalFunction> {
+    pub(super) fn spelt_out(&self, value: &RationalFunction) -> Option<RationalFunction> {
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-        table.substitute(value, &all.letters).ok()
+        match &self.model.functions {
+            Some(table) => table.substitute(value, &all.letters).ok(),
+            None => value.substitute(&all.letters).ok(),
+        }
     }
 
     fn limit_residual(
@@ -396,20 +419,7 @@ impl Checker<'_> {
     }
 }
 
-/// The integrand, the variable and the ends, zero or infinity, of the first integral.
-fn infinite_integral(expr: &Expr) -> Option<(Expr, Name, Vec<Towards>)> {
-    if let ExprKind::Integral {
-        limits: Some((from, to)),
-        body,
-        variable,
-    } = &expr.kind
-    {
-        let ends = [from, to].into_iter().filter_map(|end| towards(end));
-        return Some(((**body).clone(), variable.clone(), ends.collect()));
-    }
-    children(expr).into_iter().find_map(infinite_integral)
-}
-
+/// Zero or infinity, where they are printed as such.
 fn towards(expr: &Expr) -> Option<Towards> {
     match &expr.kind {
         ExprKind::Infinity => Some(Towards::Infinity),
@@ -418,17 +428,33 @@ fn towards(expr: &Expr) -> Option<Towards> {
     }
 }
 
-/// Puts the letter where its goal is printed as an argument; `elsewhere` where another goal is.
-fn set_moving(expr: &mut Expr, approach: &Approach, elsewhere: &mut bool) {
+/// Puts the letter where its goal is printed as an argument; whether another end is printed so.
+fn set_moving(expr: &mut Expr, approach: &Approach) -> bool {
+    let mut elsewhere = false;
     if let ExprKind::Apply { arguments, .. } = &mut expr.kind {
         for argument in arguments {
-            if let Some(goal) = towards(argument) {
-                *elsewhere |= goal != approach.towards;
+            if *argument == approach.goal {
                 argument.kind = ExprKind::Name(approach.letter.clone());
+            } else {
+                elsewhere |= towards(argument).is_some();
             }
         }
     }
     for child in children_mut(expr) {
-        set_moving(child, approach, elsewhere);
+        elsewhere |= set_moving(child, approach);
     }
+    elsewhere
+}
+
+fn mentions(expr: &Expr, letter: &Name) -> bool {
+    let itself = matches!(&expr.kind, ExprKind::Name(name) if name == letter);
+    itself
+        || children(expr)
+            .into_iter()
+            .any(|child| mentions(child, letter))
+}
+
+fn has_integral(expr: &Expr) -> bool {
+    let itself = matches!(&expr.kind, ExprKind::Integral { .. });
+    itself || children(expr).into_iter().any(has_integral)
 }

@@ -4,10 +4,12 @@
 //! further down is computed from the corrected equation: slips do not cascade. No float is used
 //! here, no verdict depends on what the author expects, and nothing unknown counts as true.
 
+mod admissible;
 mod after;
 mod challenge;
 mod conditions;
 mod definite;
+mod definiteness;
 pub mod edit;
 pub mod effect;
 mod hypotheses;

@@ -10,7 +10,7 @@ use crate::model::links::Link;
 use crate::span::Span;
 
 /// What stands for the number of a case among the indices of an entry.
-const CASE: &str = "case";
+pub(super) const CASE: &str = "case";
 
 /// The indices with their values, and both sides there.
 pub(super) type Sides<E> = Vec<(Vec<(String, i64)>, Value<E>, Value<E>)>;

@@ -36,6 +36,7 @@ impl Model {
     pub fn build(document: &Document) -> Result<Model, Vec<Diagnostic>> {
         let mut builder = Builder::default();
         builder.symbols(document);
+        builder.admit_points(document);
         let signature = builder.signature(document);
         builder.notation(document, &signature);
         builder.equations(document, &signature);
@@ -146,6 +147,31 @@ impl Builder {
                 }
                 Some(shape) => self.matrix(&value, shape, &largest, symbol.name.span),
             }
+        }
+    }
+
+    /// The values of named points are values that the letters may have.
+    fn admit_points(&mut self, document: &Document) {
+        let Some(numeric) = &document.numeric else {
+            return;
+        };
+        for (letter, value) in numeric.points.iter().flat_map(|point| &point.values) {
+            self.admit(letter, value);
+        }
+    }
+
+    /// An error where a letter may not have a value.
+    fn admit(&mut self, letter: &document::Text, value: &num_rational::BigRational) {
+        let Ok(name) = latex::parse_name(&letter.text, letter.span.start) else {
+            return;
+        };
+        let node = self.names.whole.get(&latex::canonical(&name));
+        if let Some(Node::Symbol(symbol)) = node
+            && !self.symbols[*symbol].range.contains(value)
+        {
+            let found = format!("`{} = {}`", letter.text, document::write_number(value));
+            let expected = "a value that the declaration of the letter admits".into();
+            self.error(DiagnosticKind::Unexpected { found, expected }, letter.span);
         }
     }
 

@@ -130,6 +130,20 @@ impl Builder {
             _ => letters.into_iter().map(|l| vec![l]).collect(),
         };
         let at = self.optional(meaning.at.as_ref(), signature);
+        if let (Some(at), Some(text)) = (&at, &meaning.at)
+            && let Some(value) = super::names::literal_number(at)
+            && let Some(symbol) = choices
+                .iter()
+                .flatten()
+                .find(|symbol| !self.symbols[**symbol].range.contains(&value))
+        {
+            let letter = latex::canonical(&self.symbols[*symbol].name);
+            let kind = DiagnosticKind::Unexpected {
+                found: format!("`{letter} = {}`", text.text),
+                expected: "a value that the declaration of the letter admits".into(),
+            };
+            self.error(kind, text.span);
+        }
         let minimum_of = self.optional(meaning.minimum_of.as_ref(), signature);
         let to_infinity = self.approach(meaning);
         let mut found = Vec::new();

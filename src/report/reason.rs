@@ -109,6 +109,12 @@ fn positive(positivity: &Positivity) -> Prose {
             .math(name.clone())
             .words(" is declared to be"),
         PositiveBy::Minors(n) => Prose::of(format!("its {n} leading minors are positive")),
+        PositiveBy::PrincipalMinors(n) => Prose::of(format!(
+            "no principal minor is negative, of any order to {n}"
+        )),
+        PositiveBy::Structure => Prose::of(
+            "made of definite matrices by sums, positive multiples, congruences and inverses",
+        ),
         PositiveBy::Hurwitz(n) => Prose::of(format!("its {n} Hurwitz determinants are positive")),
         PositiveBy::Sign => Prose::of("positive for all values of the letters"),
     };
@@ -509,6 +515,11 @@ fn excluded(proof: &CounterProof) -> Prose {
         CounterProof::Limit(Limit::MinusInfinite) => Prose::of("it falls below every bound"),
         CounterProof::Limit(Limit::To(value)) if value.is_zero() => Prose::of("it tends to zero"),
         CounterProof::Limit(Limit::To(_)) => Prose::of("it tends to something else"),
+        CounterProof::TwoLimits(one, other) => Prose::of(format!(
+            "it has no limit: on one way it {}, on another it {}",
+            tends(one),
+            tends(other)
+        )),
         CounterProof::Distribution { .. } => Prose::new(),
         CounterProof::Divergent { reason } => {
             Prose::of(format!("the integral has no value: {reason}"))
@@ -518,6 +529,16 @@ fn excluded(proof: &CounterProof) -> Prose {
         )
         .math(format!("H_{order}"))
         .words(format!(" is {determinant}")),
+    }
+}
+
+/// `tends to zero`, `grows beyond every bound`.
+fn tends(limit: &Limit) -> &'static str {
+    match limit {
+        Limit::Infinite => "grows beyond every bound",
+        Limit::MinusInfinite => "falls below every bound",
+        Limit::To(value) if value.is_zero() => "tends to zero",
+        Limit::To(_) => "tends to another number",
     }
 }
 

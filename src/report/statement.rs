@@ -2,8 +2,11 @@
 
 use crate::audit::Audit;
 use crate::document::{Predicate, VerdictWord};
-use crate::expr::Expr;
+use crate::expr::{Expr, ExprKind};
 use crate::latex;
+use crate::model::links;
+use crate::model::names::Resolved;
+use crate::model::range::Range;
 use crate::model::statement::Proposition;
 use crate::report::algebraic::{equals, shown};
 use crate::report::formula::{Formulas, Script, number, width};
@@ -14,6 +17,7 @@ use crate::verdict::statement::{
 };
 use num_rational::BigRational;
 use ratpoly::RationalFunction;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A row of the table has no more characters than this, but for its first fact.
 const LINE: usize = 150;
@@ -344,6 +348,16 @@ impl Writer<'_> {
                 Limit::MinusInfinity => Prose::new().formula("-\\infty", "-∞"),
                 Limit::Unbounded => Prose::of("infinite, with a sign that depends on the letters"),
             }),
+            Fact::Pole(divisors) => {
+                let places = divisors.iter().map(|p| {
+                    Prose::new().formula(
+                        self.formulas.relation(p, Script::Latex),
+                        self.formulas.relation(p, Script::Plain),
+                    )
+                });
+                Prose::of("it may have a pole where ").then(Prose::joined(places, " or "))
+            }
+            Fact::About(scope) => Prose::of("this is said ").then(self.scope(scope)),
             Fact::DependsOn(letters) if letters.is_empty() => Prose::of("it depends on no letter"),
             Fact::DependsOn(letters) => Prose::of("it depends on ")
                 .then(self.letters(letters, ", "))
@@ -486,14 +500,13 @@ impl Writer<'_> {
 
     fn scope(&self, scope: &Scope) -> Prose {
         match scope {
-            Scope::Everywhere => {
-                Prose::of("for all positive values of the letters").then(self.fixed())
-            }
-            Scope::Reference => Prose::of("at the reference"),
+            Scope::Everywhere => Prose::of(self.all_values()).then(self.fixed()),
+            Scope::Reference => Prose::of("at the reference values"),
             Scope::Line(x) => Prose::of("for every ")
                 .then(self.letter(*x))
                 .words(", the others as in the reference"),
-            Scope::Above(x, value) => Prose::of("for all positive values of the letters with ")
+            Scope::Above(x, value) => Prose::of(self.all_values())
+                .words(" with ")
                 .then(self.letter(*x))
                 .formula("\\;>\\;", " > ")
                 .then(plain_number(value))
@@ -513,6 +526,37 @@ impl Writer<'_> {
                 });
                 Prose::of("for ").then(Prose::joined(sides, ", "))
             }
+        }
+    }
+
+    /// Of letters that are not all positive it is not said that they are.
+    fn all_values(&self) -> &'static str {
+        let model = &self.audit.model;
+        let mut behind = BTreeSet::new();
+        for expr in self.proposition.expressions() {
+            let mut nodes = BTreeSet::new();
+            model.collect(expr, &mut nodes);
+            for node in nodes {
+                behind.extend(model.symbols_behind(node, &BTreeMap::new()));
+            }
+            links::visit(expr, &mut |e| {
+                if let ExprKind::Name(name) = &e.kind
+                    && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
+                {
+                    behind.insert(symbol);
+                }
+            });
+        }
+        let positive = |symbol: &usize| {
+            let symbol = &model.symbols[*symbol];
+            // Processes and what they are functions of are no letters of the statement.
+            symbol.function_of.is_some()
+                || model.arguments.contains(&latex::canonical(&symbol.name))
+                || symbol.range == Range::positive()
+        };
+        match behind.iter().all(positive) {
+            true => "for all positive values of the letters",
+            false => "for all admitted values of the letters",
         }
     }
 

@@ -67,6 +67,8 @@ pub enum CounterProof {
         /// Why.
         reason: String,
     },
+    /// On two ways there it has two limits.
+    TwoLimits(Limit, Limit),
     /// Against a test function the two sides give different numbers: the multiple of the Dirac
     /// distribution of this argument that left minus right contains is not zero at a point.
     Distribution {

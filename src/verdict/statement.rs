@@ -208,6 +208,10 @@ pub enum Fact {
     NoExtremum(usize, Scope),
     /// A limit.
     Limit(usize, Limit),
+    /// Divisors that may vanish where the statement is meant: there it has a pole.
+    Pole(Vec<Polynomial>),
+    /// Where the verdict is about, if that is not everywhere.
+    About(Scope),
     /// The letters that it depends on.
     DependsOn(Vec<usize>),
     /// The quotient of the quantity and what it is compared with.

@@ -23,7 +23,7 @@ pub(super) fn measured_like(p: &Proposition, units: &mut Units) -> Found {
             };
             Found::of(word, vec![Fact::Units(own, other)])
         }
-        _ => Found::undecided("a unit is not known"),
+        _ => Found::undecided("a unit is not known, or terms of different units are added"),
     }
 }
 
@@ -40,7 +40,10 @@ impl Ground {
         match (self.at(&difference), self.at(f)) {
             (Some(zero), Some(value)) if zero.is_zero() => Found::of(
                 VerdictWord::Holds,
-                vec![Fact::Number(Measure::Value, value.into())],
+                vec![
+                    Fact::Number(Measure::Value, value.into()),
+                    Fact::About(Scope::Reference),
+                ],
             ),
             (Some(value), _) => {
                 let mut facts: Vec<Fact> = self
@@ -53,6 +56,7 @@ impl Ground {
                     point: self.point_of(&difference),
                     value,
                 });
+                facts.push(Fact::About(Scope::Reference));
                 Found::of(VerdictWord::Refuted, facts)
             }
             // Letters without a value may cancel in the quotient.
@@ -101,7 +105,8 @@ impl Ground {
         let at_reference = value.abs() <= p.tolerance;
         let fact = Fact::Number(measure.clone(), value.into());
         let Some(scope) = p.only_in_box.then(|| self.box_of(p)).flatten() else {
-            return Found::of(decided(at_reference), vec![fact]);
+            let about = Fact::About(Scope::Reference);
+            return Found::of(decided(at_reference), vec![fact, about]);
         };
         let Some((low, high)) = self.range(&f, &scope) else {
             return Found::undecided("its range over the box is out of reach");

@@ -4,6 +4,7 @@ use super::{Checker, Found, Ground};
 use crate::check::identity::letters_of;
 use crate::document::VerdictWord;
 use crate::evaluate::Value;
+use crate::functions::FunctionLetter;
 use crate::model::statement::Proposition;
 use crate::verdict::statement::{Fact, Measure, Scope, Sign, Subject};
 use num_rational::BigRational;
@@ -20,7 +21,11 @@ impl Checker<'_> {
             .filter(|l| self.stands_for_a_function(*l))
             .collect();
         if !functions.is_empty() {
-            return Found::of(VerdictWord::Refuted, vec![Fact::Functions(functions)]);
+            // Letters that depend on each other might make up a rational function together.
+            return match self.are_independent(&functions) {
+                true => Found::of(VerdictWord::Refuted, vec![Fact::Functions(functions)]),
+                false => Found::undecided("whether its functions cancel is out of reach"),
+            };
         }
         let terms = entries
             .iter()
@@ -28,6 +33,44 @@ impl Checker<'_> {
             .sum();
         let fact = Fact::Explicit(entries.len(), terms);
         Found::of(VerdictWord::Holds, vec![fact])
+    }
+
+    /// Whether no letter of these is a rational function of the declared letters and the others, so that
+    /// what has one of them in its normal form is none either: roots of different irreducible
+    /// polynomials in the declared letters, or a single transcendental function of such.
+    fn are_independent(&self, functions: &[usize]) -> bool {
+        let Some(table) = &self.model.functions else {
+            return false;
+        };
+        let plain = |f: &RationalFunction| {
+            let letters = letters_of([f]);
+            !letters.iter().any(|l| table.meaning(*l).is_some())
+        };
+        let moving = |f: &RationalFunction| plain(f) && !letters_of([f]).is_empty();
+        let roots = functions.iter().all(|l| match table.meaning(*l) {
+            Some(FunctionLetter::Root(p)) => plain(&p.into()),
+            Some(FunctionLetter::ImaginaryUnit) => true,
+            Some(
+                FunctionLetter::Pi
+                | FunctionLetter::Exponential(_)
+                | FunctionLetter::Cosine(_)
+                | FunctionLetter::Sine(..)
+                | FunctionLetter::Power(..)
+                | FunctionLetter::Logarithm(_)
+                | FunctionLetter::Dirac(_)
+                | FunctionLetter::Bound { .. },
+            )
+            | None => false,
+        });
+        let meanings: Vec<_> = functions.iter().filter_map(|l| table.meaning(*l)).collect();
+        let single = match meanings.as_slice() {
+            [FunctionLetter::Exponential(u) | FunctionLetter::Cosine(u)] => moving(u),
+            [FunctionLetter::Sine(u, _)] => moving(u),
+            [FunctionLetter::Cosine(u), FunctionLetter::Sine(v, _)] => u == v && moving(u),
+            [FunctionLetter::Logarithm(p)] => moving(&p.clone().into()),
+            _ => false,
+        };
+        roots || single
     }
 }
 

@@ -3,11 +3,13 @@
 
 use super::{Found, Ground};
 use crate::document::VerdictWord;
+use crate::model::range::Numbers;
 use crate::model::statement::Proposition;
+use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::{Fact, Measure, Scope, Sign, Subject};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use ratpoly::RationalFunction;
+use ratpoly::{Budget, RationalFunction};
 
 impl Ground {
     /// `x f'(x) / f(x)`.
@@ -76,6 +78,34 @@ impl Ground {
         let mut found = self
             .strict(&derivative, increasing, Subject::Derivative(x), Some(x), p)
             .and(self.elasticity_facts(f, x, p));
+        // Between two integers a derivative may have any sign.
+        if self.range_of(x).numbers != Numbers::Real && found.word != VerdictWord::Holds {
+            return Found::undecided(
+                "of a letter that is not real only derivatives of one sign tell",
+            );
+        }
+        // Across a pole it does not go on as the derivative says.
+        if found.word == VerdictWord::Undecided
+            && let Some(points) = self.against(f, x, increasing)
+        {
+            let here = self.at(&derivative);
+            let right = here.is_some_and(|v| match increasing {
+                true => v.is_positive(),
+                false => v.is_negative(),
+            });
+            found.word = match right {
+                true => VerdictWord::Loose,
+                false => VerdictWord::Refuted,
+            };
+            found.reason = None;
+            for (point, value) in points {
+                found.facts.push(Fact::Witness {
+                    subject: Subject::Quantity,
+                    point,
+                    value,
+                });
+            }
+        }
         // It turns so near to the reference value that this is as good as an extremum.
         let one = BigRational::one();
         let (low, high) = (&one - &p.tolerance, &one + &p.tolerance);
@@ -93,8 +123,49 @@ impl Ground {
         found
     }
 
+    /// Two points on one line in a letter, on both sides of a pole, at which the quantity goes against
+    /// what is said.
+    fn against(
+        &self,
+        f: &RationalFunction,
+        x: usize,
+        increasing: bool,
+    ) -> Option<[(Vec<(usize, BigRational)>, BigRational); 2]> {
+        let line = self.restricted(f, &[x])?;
+        let poles = Algebraic::roots(line.denominator(), x, &Budget::default()).ok()?;
+        for pole in poles {
+            let mut width = BigRational::one();
+            for _ in 0..8 {
+                let (low, high) = pole.enclosure(&width).ok()?;
+                let pair = [low - &width, high + &width];
+                let values = pair.clone().map(|at| {
+                    let mut point = self.reference.clone();
+                    point[x] = Some(at);
+                    let value = self.at_point(&line, &point)?;
+                    let others = self.letters_in(f).into_iter();
+                    let shown = others.map(|l| Some((l, point[l].clone()?)));
+                    Some((shown.collect::<Option<Vec<_>>>()?, value))
+                });
+                if let [Some(left), Some(right)] = values
+                    && pair.iter().all(|at| self.may_be(x, at))
+                    && match increasing {
+                        true => left.1 >= right.1,
+                        false => left.1 <= right.1,
+                    }
+                {
+                    return Some([left, right]);
+                }
+                width /= num_bigint::BigInt::from(16);
+            }
+        }
+        None
+    }
+
     pub(super) fn convex(&self, f: &RationalFunction, x: usize, p: &Proposition) -> Found {
         match f.derivative(x).and_then(|g| g.derivative(x)) {
+            Ok(_) if self.range_of(x).numbers != Numbers::Real => {
+                Found::undecided("a letter that is not real")
+            }
             Ok(second) => self.strict(&second, true, Subject::SecondDerivative(x), Some(x), p),
             Err(_) => Found::undecided("the derivative is out of reach"),
         }
@@ -107,6 +178,9 @@ impl Ground {
             return Found::undecided("the derivative is out of reach");
         };
         let subject = Subject::Derivative(x);
+        if self.range_of(x).numbers != Numbers::Real {
+            return Found::undecided("a letter that is not real");
+        }
         let line = self.sign(&derivative, &Scope::Line(x));
         let facts = self.elasticity_facts(f, x, p);
         if line.sign == Some(Sign::Both) {
@@ -116,8 +190,16 @@ impl Ground {
                 .and(facts);
         }
         let study = self.sign(&derivative, &Scope::Everywhere);
+        // Beside a pole a derivative of one sign is not enough for being monotone.
+        let poles: Vec<_> = study.poles.iter().chain(&line.poles).cloned().collect();
+        if !poles.is_empty() {
+            return Found::undecided("it has a pole where it is meant").and([Fact::Pole(poles)]);
+        }
         let word = match (study.sign, line.sign) {
-            (Some(Sign::Both), _) => VerdictWord::Loose,
+            (Some(Sign::Both), Some(_)) => VerdictWord::Loose,
+            (Some(Sign::Both), None) => {
+                return Found::undecided("there are no reference values").and(facts);
+            }
             (Some(_), _) | (None, Some(_)) => VerdictWord::Refuted,
             (None, None) => return Found::undecided("the sign of the derivative is out of reach"),
         };
@@ -168,6 +250,6 @@ impl Ground {
         } else {
             VerdictWord::Refuted
         };
-        Found::of(word, self.elasticity_facts(f, x, p))
+        Found::of(word, self.elasticity_facts(f, x, p)).and([Fact::About(Scope::Reference)])
     }
 }

@@ -1,9 +1,12 @@
-//! Limits of rational functions in one letter, by degrees and leading coefficients.
+//! Limits of rational functions in one letter, by degrees and leading coefficients, on every way on
+//! which the letter can come to its goal.
 
 use super::{Found, Ground};
+use crate::check::limits::{Printed, compared, ways_of};
 use crate::document::VerdictWord;
-use crate::verdict::statement::{Fact, Limit, Scope, Sign, times};
-use ratpoly::{Polynomial, RationalFunction};
+use crate::theory::limit::{self, Behaviour};
+use crate::verdict::statement::{Fact, Limit};
+use ratpoly::RationalFunction;
 
 impl Ground {
     pub(super) fn tends(
@@ -13,56 +16,64 @@ impl Ground {
         to_infinity: bool,
         to: Option<&RationalFunction>,
     ) -> Found {
-        let limit = self.limit(f, x, to_infinity);
-        let agrees = match (&limit, to) {
-            (Limit::Finite(value), Some(to)) => value == to,
-            (Limit::Infinity, None) => true,
-            (Limit::Unbounded, None) => {
-                return Found::undecided("it is unbounded, with a sign that is not known");
-            }
-            _ => false,
+        let goal = (!to_infinity).then(|| RationalFunction::zero(self.ring));
+        let Some(ways) = ways_of(x, goal, &self.admissible) else {
+            return Found::undecided("the letter cannot go there");
         };
-        let word = if agrees {
-            VerdictWord::Holds
-        } else {
-            VerdictWord::Refuted
+        let printed = match to {
+            Some(to) => Printed::To(to.clone()),
+            None => Printed::Infinite,
         };
-        Found::of(word, vec![Fact::Limit(x, limit)])
-    }
-
-    /// The limit for a letter that grows beyond all numbers, or falls to zero.
-    fn limit(&self, f: &RationalFunction, x: usize, to_infinity: bool) -> Limit {
-        let end = |p: &Polynomial| {
-            let coefficients = p.coefficients_in(x);
-            let nonzero = |c: &Polynomial| !c.is_zero();
-            let at = if to_infinity {
-                coefficients.iter().rposition(nonzero)
-            } else {
-                coefficients.iter().position(nonzero)
+        let mut facts = Vec::new();
+        let (mut refuted, mut open, mut reason) = (false, false, None);
+        for way in ways {
+            let Ok(behaviour) = way.behaviour(f, &self.table, &self.admissible) else {
+                open = true;
+                reason = Some("its limit is out of reach");
+                continue;
             };
-            at.map(|k| (k, coefficients[k].clone()))
-        };
-        let (Some((n, top)), Some((d, bottom))) = (end(f.numerator()), end(f.denominator())) else {
-            return Limit::Finite(RationalFunction::zero(self.ring));
-        };
-        let order = if to_infinity { n.cmp(&d) } else { d.cmp(&n) };
-        if order.is_lt() {
-            return Limit::Finite(RationalFunction::zero(self.ring));
-        }
-        if order.is_eq() {
-            if let Ok(value) = RationalFunction::new(top, bottom) {
-                return Limit::Finite(value);
+            match compared(&behaviour, &printed, &self.admissible) {
+                Some(true) => {}
+                Some(false) => refuted = true,
+                None => {
+                    open = true;
+                    reason = Some("it is unbounded, with a sign that is not known");
+                }
             }
-            return Limit::Unbounded;
+            let (limit, conditions) = match behaviour {
+                Behaviour::Tends(limit, conditions) => (shown(limit), conditions),
+                Behaviour::Unbounded(conditions) => (Limit::Unbounded, conditions),
+                Behaviour::Two(one, _) => (shown(one), Vec::new()),
+            };
+            if !conditions.is_empty() {
+                open = true;
+                reason = Some("a leading coefficient may vanish");
+                facts.push(Fact::Pole(conditions));
+            }
+            let fact = Fact::Limit(x, limit);
+            if !facts.contains(&fact) {
+                facts.push(fact);
+            }
         }
-        let sign = |p: Polynomial| self.sign(&p.into(), &Scope::Everywhere).sign;
-        match (sign(top), sign(bottom)) {
-            (Some(a), Some(b)) => match times(a, b) {
-                Sign::Positive => Limit::Infinity,
-                Sign::Negative => Limit::MinusInfinity,
-                _ => Limit::Unbounded,
+        let mut found = Found::of(
+            match (refuted, open) {
+                (true, _) => VerdictWord::Refuted,
+                (false, true) => VerdictWord::Undecided,
+                (false, false) => VerdictWord::Holds,
             },
-            _ => Limit::Unbounded,
+            facts,
+        );
+        if found.word == VerdictWord::Undecided {
+            found.reason = reason.map(Into::into);
         }
+        found
+    }
+}
+
+fn shown(limit: limit::Limit) -> Limit {
+    match limit {
+        limit::Limit::To(value) => Limit::Finite(value),
+        limit::Limit::Infinite => Limit::Infinity,
+        limit::Limit::MinusInfinite => Limit::MinusInfinity,
     }
 }

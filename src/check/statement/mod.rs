@@ -1,24 +1,26 @@
 //! Statements in words, decided exactly.
 //!
-//! The rule: a statement *holds* if it is true wherever it says (for all positive values of the
-//! letters unless it names a box); it is *loose* if it is true at the reference point and on a part
-//! only, or true up to its tolerance, or in another reading of the sentence; it is *refuted* if it is
-//! false at the reference point. Every
-//! verdict carries numbers that show how near it is to another one.
+//! The rule: a statement *holds* if it is proved to be true wherever it says (for all admissible values
+//! of the letters unless it names a box); it is *loose* if it is true at the reference point and shown to
+//! be false elsewhere, or true up to its tolerance, or in another reading of the sentence; it is *refuted*
+//! if it is false at the reference point. What is neither proved nor shown to be false is undecided.
+//! Every verdict carries numbers that show how near it is to another one.
 
 mod closeness;
 mod dependence;
 mod elasticity;
 mod extremum;
 mod limit;
+mod line;
 mod range;
 mod sign;
 
 use super::Checker;
+use super::admissible::Admissible;
 use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Value};
 use crate::expr::Expr;
-use crate::functions::FunctionLetter;
+use crate::functions::{FunctionLetter, FunctionTable};
 use crate::model::statement::Proposition;
 use crate::model::{Letter, Model};
 use crate::unit::{self, Units};
@@ -35,6 +37,9 @@ pub(super) struct Ground {
     positive: Vec<usize>,
     /// The letter of each symbol.
     letters: Vec<Option<usize>>,
+    /// Where the letters may be.
+    admissible: Admissible,
+    table: FunctionTable,
 }
 
 /// A verdict with its facts.
@@ -81,6 +86,15 @@ impl Found {
         }
     }
 
+    /// The same, but for what holds or is loose: that is open.
+    fn unless_it_holds(mut self) -> Self {
+        if matches!(self.word, VerdictWord::Holds | VerdictWord::Loose) {
+            self.word = VerdictWord::Undecided;
+            self.reason = Some("there are no reference values".into());
+        }
+        self
+    }
+
     fn and(mut self, facts: impl IntoIterator<Item = Fact>) -> Self {
         for fact in facts {
             if !self.facts.contains(&fact) {
@@ -98,7 +112,7 @@ impl Checker<'_> {
         if model.statements.is_empty() {
             return Vec::new();
         }
-        let ground = Ground::of(model);
+        let ground = Ground::of(model, self.instance);
         let (mut units, _) = unit::audit(model);
         let mut outcomes = Vec::new();
         for (index, statement) in model.statements.iter().enumerate() {
@@ -270,7 +284,7 @@ impl Ground {
     }
 
     /// The ground that a model's symbols give.
-    pub(super) fn of(model: &Model) -> Ground {
+    pub(super) fn of(model: &Model, instance: usize) -> Ground {
         let letters = (0..model.symbols.len())
             .map(|symbol| model.letter_of_symbol(symbol, 0))
             .collect();
@@ -289,6 +303,14 @@ impl Ground {
                 .filter(|l| model.is_positive(*l))
                 .collect(),
             letters,
+            admissible: Admissible::of(model, instance),
+            table: match &model.functions {
+                Some(table) => table.clone(),
+                None => {
+                    let ranges = (0..model.letters.len()).map(|l| model.range_of(l));
+                    FunctionTable::new(model.ring, ranges.collect())
+                }
+            },
         }
     }
 

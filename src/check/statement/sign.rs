@@ -2,7 +2,9 @@
 //! strict inequality is worth that holds everywhere, on a part, or not at the reference.
 
 use super::{Found, Ground};
+use crate::check::admissible::sign_within;
 use crate::document::VerdictWord;
+use crate::model::range::{Numbers, Range};
 use crate::model::statement::Proposition;
 use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::{
@@ -12,7 +14,7 @@ use crate::verdict::statement::{
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use ratpoly::{Bound, Budget, Polynomial, RationalFunction, Region, RegionSign, sign_on};
+use ratpoly::{Budget, Polynomial, RationalFunction, RegionSign};
 
 /// What is known about the sign of a function.
 pub(super) struct SignStudy {
@@ -22,12 +24,14 @@ pub(super) struct SignStudy {
     pub boundary: Vec<Polynomial>,
     /// A point where it is positive and one where it is negative.
     pub points: Option<(Vec<BigRational>, Vec<BigRational>)>,
+    /// Factors of the denominator that may vanish there: what is said is said of all other values.
+    pub poles: Vec<Polynomial>,
     /// What proves the sign.
     pub certificate: Option<SignCertificate>,
 }
 
 /// A point is looked for along one letter at these multiples of its reference value.
-const MULTIPLES: [(i64, i64); 12] = [
+pub(super) const MULTIPLES: [(i64, i64); 12] = [
     (1, 2),
     (2, 1),
     (3, 2),
@@ -67,6 +71,7 @@ impl Ground {
             sign: None,
             boundary: Vec::new(),
             points: None,
+            poles: Vec::new(),
             certificate: None,
         };
         let Some((f, region)) = self.on(f, scope) else {
@@ -87,26 +92,51 @@ impl Ground {
         };
         let mut proofs = Vec::new();
         let mut boundary = Vec::new();
-        for (factor, multiplicity) in top.1.into_iter().chain(bottom.1) {
+        let mut poles = Vec::new();
+        let above = top.1.into_iter().map(|(f, m)| (f, m, false));
+        let below = bottom.1.into_iter().map(|(f, m)| (f, m, true));
+        for (factor, multiplicity, divides) in above.chain(below) {
             let Some(proof) = self.factor_sign(&factor, &region, &budget) else {
                 return unknown;
             };
             if proof.sign() == Sign::Both && multiplicity % 2 == 1 {
                 boundary.push(factor.clone());
             }
-            sign = times(sign, power(proof.sign(), multiplicity));
+            let mut own = power(proof.sign(), multiplicity);
+            if divides && !matches!(own, Sign::Positive | Sign::Negative) {
+                poles.push(factor.clone());
+                // Where a divisor vanishes there is no value.
+                own = match own {
+                    Sign::NonNegative => Sign::Positive,
+                    Sign::NonPositive => Sign::Negative,
+                    Sign::Zero => return unknown,
+                    Sign::Positive | Sign::Negative | Sign::Both => own,
+                };
+            }
+            sign = times(sign, own);
             proofs.push((factor, multiplicity, proof));
         }
         let mut points = None;
+        if sign == Sign::Both && self.admissible.has_functions(&f) {
+            // A constant such as pi is no letter that may have other values.
+            return unknown;
+        }
         if sign == Sign::Both {
             let product = f.numerator() * f.denominator();
-            points = match sign_on(&product, &region, &budget) {
-                Ok(RegionSign::Changes { positive, negative }) => Some((positive, negative)),
+            points = match sign_within(&product, &region, &budget) {
+                RegionSign::Changes { positive, negative }
+                    if self.admits(&product, &positive) && self.admits(&product, &negative) =>
+                {
+                    Some((positive, negative))
+                }
                 // Factors that change together may have a product that does not.
-                Ok(RegionSign::Undecided) | Err(_) => self.both_signs(&product, &region),
-                Ok(other) => {
+                RegionSign::Undecided | RegionSign::Changes { .. } => {
+                    self.both_signs(&product, &region)
+                }
+                other => {
                     return SignStudy {
                         sign: Sign::of(&other),
+                        poles,
                         ..unknown
                     };
                 }
@@ -115,12 +145,13 @@ impl Ground {
                 return unknown;
             }
         }
-        // Both signs are shown by points, not by a product.
-        let proved = sign != Sign::Both;
+        // Both signs are shown by points, not by a product; nor is one beside poles.
+        let proved = sign != Sign::Both && poles.is_empty();
         SignStudy {
             sign: Some(sign),
             boundary,
             points,
+            poles,
             certificate: proved.then(|| SignCertificate {
                 function: f,
                 sign,
@@ -134,7 +165,7 @@ impl Ground {
     fn factor_sign(
         &self,
         factor: &Polynomial,
-        region: &Region,
+        region: &[Range],
         budget: &Budget,
     ) -> Option<FactorProof> {
         if let Some(sign) = coefficient_sign(factor, &self.positive) {
@@ -147,8 +178,7 @@ impl Ground {
         if let Some((x, sign)) = square {
             return Some(FactorProof::Square(x, sign));
         }
-        let sign = sign_on(factor, region, budget).ok();
-        match sign.as_ref().and_then(Sign::of) {
+        match Sign::of(&sign_within(factor, region, budget)) {
             Some(sign) => Some(FactorProof::Engine(sign)),
             None => self
                 .both_signs(factor, region)
@@ -161,17 +191,22 @@ impl Ground {
     fn both_signs(
         &self,
         f: &Polynomial,
-        region: &Region,
+        region: &[Range],
     ) -> Option<(Vec<BigRational>, Vec<BigRational>)> {
         let letters: Vec<usize> = f
             .variables_occurring()
             .into_iter()
             .filter(|l| self.reference[*l].is_some())
             .collect();
+        let all_letters = f.variables_occurring();
         let start: Vec<BigRational> = self
             .reference
             .iter()
-            .map(|v| v.clone().unwrap_or_else(BigRational::one))
+            .zip(region)
+            .map(|(v, range)| {
+                v.clone()
+                    .unwrap_or_else(|| range.near(&BigRational::one(), 1))
+            })
             .collect();
         let (mut positive, mut negative) = (None, None);
         let base = FAR.len() + 1;
@@ -188,9 +223,10 @@ impl Ground {
                 rest /= base;
             }
             let value = f.evaluate(&point).ok()?;
-            if region.contains(&point) && value.is_positive() {
+            let inside = all_letters.iter().all(|l| region[*l].contains(&point[*l]));
+            if inside && value.is_positive() {
                 positive.get_or_insert(point);
-            } else if region.contains(&point) && value.is_negative() {
+            } else if inside && value.is_negative() {
                 negative.get_or_insert(point);
             }
             if positive.is_some() && negative.is_some() {
@@ -200,47 +236,56 @@ impl Ground {
         Some((positive?, negative?))
     }
 
-    /// The function with the letters inserted that have a value in a scope, and the intervals of
-    /// the others.
+    /// Whether a point may have the values of the letters of a polynomial.
+    fn admits(&self, f: &Polynomial, point: &[BigRational]) -> bool {
+        f.variables_occurring()
+            .iter()
+            .all(|l| self.range_of(*l).contains(&point[*l]))
+    }
+
+    /// Where a letter may be.
+    pub(super) fn range_of(&self, letter: usize) -> &Range {
+        self.admissible.range(letter)
+    }
+
+    /// The function with the letters inserted that have a value in a scope, and the ranges of the
+    /// others. None where a letter is complex or an entry of a definite matrix.
     pub(super) fn on(
         &self,
         f: &RationalFunction,
         scope: &Scope,
-    ) -> Option<(RationalFunction, Region)> {
-        let mut intervals: Vec<(Bound, Bound)> = (0..self.reference.len())
-            .map(|letter| {
-                if self.positive.contains(&letter) {
-                    (Bound::from(0), Bound::PositiveInfinity)
-                } else {
-                    (Bound::NegativeInfinity, Bound::PositiveInfinity)
-                }
-            })
-            .collect();
+    ) -> Option<(RationalFunction, Vec<Range>)> {
+        let mut ranges = self.admissible.ranges_for(f);
         let f = match scope {
             Scope::Everywhere => f.clone(),
             Scope::Above(letter, value) => {
-                intervals[*letter].0 = Bound::Finite(value.clone());
+                ranges[*letter].raise(value.clone(), false);
                 f.clone()
             }
             Scope::Box(sides) => {
                 for (letter, low, high) in sides {
-                    intervals[*letter] = (Bound::Finite(low.clone()), Bound::Finite(high.clone()));
+                    ranges[*letter].raise(low.clone(), true);
+                    ranges[*letter].lower(high.clone(), true);
                 }
                 let kept: Vec<usize> = sides.iter().map(|(letter, ..)| *letter).collect();
                 self.restricted(f, &kept)?
             }
             Scope::Line(letter) => self.restricted(f, &[*letter])?,
             Scope::LineAbove(letter, value) => {
-                intervals[*letter].0 = Bound::Finite(value.clone());
+                ranges[*letter].raise(value.clone(), false);
                 self.restricted(f, &[*letter])?
             }
             Scope::Reference => self.restricted(f, &[])?,
         };
-        Some((f, Region::new(intervals).ok()?))
+        let letters = self.letters_in(&f);
+        let simple =
+            |l: &usize| ranges[*l].numbers != Numbers::Complex && !self.admissible.is_drawn(*l);
+        letters.iter().all(simple).then_some((f, ranges))
     }
 
     /// Whether a function is greater (or less) than zero wherever the proposition says, with the
-    /// facts for it. `letter` is the one that the proposition is about.
+    /// facts for it. `letter` is the one that the proposition is about; of a derivative by it, zeros
+    /// that are isolated in the letter do not count.
     pub(super) fn strict(
         &self,
         g: &RationalFunction,
@@ -256,27 +301,33 @@ impl Ground {
             Scope::Everywhere
         };
         let study = self.sign(g, &scope);
-        let wanted = if positive {
-            Sign::Positive
-        } else {
-            Sign::Negative
+        let (wanted, weak) = match positive {
+            true => (Sign::Positive, Sign::NonNegative),
+            false => (Sign::Negative, Sign::NonPositive),
         };
         let mut found = Found::default();
-        if study.sign == Some(wanted) {
+        let isolated = letter.is_some_and(|x| self.zeros_are_isolated(g, x, &scope));
+        let fits = study.sign == Some(wanted) || study.sign == Some(weak) && isolated;
+        if fits && study.poles.is_empty() {
             found.word = VerdictWord::Holds;
-            found.facts.push(Fact::Sign(subject, wanted, scope));
+            let sign = study.sign.unwrap_or(wanted);
+            found.facts.push(Fact::Sign(subject, sign, scope));
             found.signs.extend(study.certificate);
             return found;
         }
+        if !study.poles.is_empty() {
+            found.facts.push(Fact::Pole(study.poles.clone()));
+        }
         let here = self.at(g);
-        let right = |value: &BigRational| {
-            if positive {
-                value.is_positive()
-            } else {
-                value.is_negative()
-            }
+        let right = |value: &BigRational| match positive {
+            true => value.is_positive(),
+            false => value.is_negative(),
         };
-        if let Some(value) = here.clone().filter(|v| !right(v)) {
+        let certainly_wrong = |value: &BigRational| match positive {
+            true => value.is_negative() || value.is_zero() && !isolated,
+            false => value.is_positive() || value.is_zero() && !isolated,
+        };
+        if let Some(value) = here.clone().filter(certainly_wrong) {
             found.word = VerdictWord::Refuted;
             if let Some(sign) = study.sign.filter(|s| *s != Sign::Both) {
                 found.facts.push(Fact::Sign(subject, sign, scope.clone()));
@@ -291,36 +342,45 @@ impl Ground {
             self.boundary_facts(g, &study.boundary, subject, letter, &mut found);
             return found;
         }
+        let here_is_right = here.as_ref().is_some_and(right);
         let inside = (!sides.is_empty() && !proposition.only_in_box).then(|| {
             let scope = Scope::Box(sides.clone());
             (self.sign(g, &scope), scope)
         });
-        match study.sign {
-            None => {
-                if let Some((inner, scope)) = inside
-                    && inner.sign == Some(wanted)
-                {
-                    found.word = VerdictWord::Loose;
-                    found.facts.push(Fact::Sign(subject, wanted, scope));
-                    found.signs.extend(inner.certificate);
-                    self.boundary_facts(g, &[], subject, letter, &mut found);
-                } else {
-                    found.word = VerdictWord::Undecided;
-                    found.reason = Some("its sign is out of reach".into());
-                }
-                return found;
-            }
-            Some(_) if here.is_some() => found.word = VerdictWord::Loose,
-            Some(Sign::NonNegative) if positive => found.word = VerdictWord::Loose,
-            Some(Sign::NonPositive) if !positive => found.word = VerdictWord::Loose,
-            Some(_) => found.word = VerdictWord::Refuted,
+        let wrong = self.wrong_point(g, &certainly_wrong, &study, proposition, letter, positive);
+        // What is false somewhere is loose where it is true at the reference.
+        let signed = match study.sign {
+            Some(Sign::Both) => study.points.is_some(),
+            Some(Sign::Zero) => true,
+            Some(Sign::Positive | Sign::NonNegative) => !positive,
+            Some(Sign::Negative | Sign::NonPositive) => positive,
+            None => false,
+        };
+        let false_somewhere = wrong.is_some() || signed;
+        found.word = match (false_somewhere, here_is_right) {
+            (true, true) => VerdictWord::Loose,
+            (true, false) if here.is_none() && study.sign == Some(weak) => VerdictWord::Loose,
+            (true, false) => VerdictWord::Refuted,
+            (false, _) => VerdictWord::Undecided,
+        };
+        if found.word == VerdictWord::Undecided {
+            found.reason = Some(match (fits, study.sign) {
+                (true, _) => "it has a pole where it is meant".into(),
+                (false, Some(_)) => "nothing shows that it vanishes nowhere".into(),
+                (false, None) => "its sign is out of reach".into(),
+            });
         }
-        let sign = study.sign.unwrap_or(Sign::Both);
-        if sign != Sign::Both {
+        if let Some(sign) = study.sign.filter(|s| *s != Sign::Both) {
             found.facts.push(Fact::Sign(subject, sign, scope));
         }
-        self.boundary_facts(g, &study.boundary, subject, letter, &mut found);
-        if let Some((point, value)) = self.wrong_point(g, positive, &study, proposition, letter) {
+        if study.sign.is_some()
+            || inside
+                .as_ref()
+                .is_some_and(|(inner, _)| inner.sign.is_some())
+        {
+            self.boundary_facts(g, &study.boundary, subject, letter, &mut found);
+        }
+        if let Some((point, value)) = wrong {
             found.facts.push(Fact::Witness {
                 subject,
                 point,
@@ -334,6 +394,18 @@ impl Ground {
             found.signs.extend(inner.certificate);
         }
         found
+    }
+
+    /// Whether the zeros of a function in a letter are isolated whatever the others are: a coefficient
+    /// of its numerator vanishes nowhere.
+    pub(super) fn zeros_are_isolated(&self, g: &RationalFunction, x: usize, scope: &Scope) -> bool {
+        let Some((g, _)) = self.on(g, scope) else {
+            return false;
+        };
+        g.numerator().coefficients_in(x).into_iter().any(|c| {
+            let sign = self.sign(&c.into(), scope).sign;
+            matches!(sign, Some(Sign::Positive | Sign::Negative))
+        })
     }
 
     /// Where the sign changes: the polynomial, and how far from the reference value along the
@@ -384,10 +456,11 @@ impl Ground {
     fn wrong_point(
         &self,
         g: &RationalFunction,
-        positive: bool,
+        certainly_wrong: &dyn Fn(&BigRational) -> bool,
         study: &SignStudy,
         proposition: &Proposition,
         letter: Option<usize>,
+        positive: bool,
     ) -> Option<(Vec<(usize, BigRational)>, BigRational)> {
         let occurring = self.letters_in(g);
         let wrong = |values: &[(usize, BigRational)]| {
@@ -396,11 +469,12 @@ impl Ground {
                 point[*letter] = Some(value.clone());
             }
             let value = self.at_point(g, &point)?;
-            let wrong = if positive {
-                !value.is_positive()
-            } else {
-                !value.is_negative()
-            };
+            let admitted = occurring.iter().all(|l| {
+                let value = point[*l].as_ref();
+                value.is_some_and(|v| self.range_of(*l).contains(v))
+                    && !self.admissible.is_drawn(*l)
+            });
+            let wrong = admitted && certainly_wrong(&value);
             let shown = occurring.iter().map(|l| Some((*l, point[*l].clone()?)));
             wrong.then(|| Some((shown.collect::<Option<Vec<_>>>()?, value)))?
         };
