@@ -1,9 +1,10 @@
 //! Functions that a document defines, at any argument in their range; definitions by cases; and
 //! whether a condition is true.
 
+use super::arithmetic::Arithmetic;
 use super::evaluator::{Evaluator, Result};
 use super::failure::{Reason, Undefined};
-use super::jet::{Arithmetic, Jet};
+use super::jet::Jet;
 use super::letters::LayerKind;
 use super::value::Value;
 use super::world::unprimed;

@@ -1,9 +1,9 @@
 //! A claim at admissible points, to as many digits as it takes.
 
-use super::compare::{Comparison, Shown};
 use super::evaluator::Evaluator;
 use super::failure::NoValue;
 use super::points::{NoPoint, Points};
+use super::shown::{Comparison, Shown};
 use super::world::World;
 use crate::expr::Relation;
 use crate::model::Hypothesis;
@@ -80,14 +80,16 @@ fn at_points(
     let mut work = budget.work;
     // What is dear is looked at fewer times.
     let enough = budget.work - budget.work / 8;
+    let is_equation = link.relation == Relation::Equal;
     // An inequality is violated on a part of the points only.
-    let times = if link.relation == Relation::Equal {
-        1
+    let (wanted, tries) = if is_equation {
+        (budget.points, budget.tries)
     } else {
-        4
+        (budget.points.max(16), budget.tries.max(32))
     };
-    for _ in 0..times * budget.tries {
-        if outcome.evaluated >= times * budget.points || outcome.evaluated > 0 && work < enough {
+    for _ in 0..tries {
+        let dear = is_equation && outcome.evaluated > 0 && work < enough;
+        if outcome.evaluated >= wanted || dear {
             break;
         }
         let point = match points.next() {

@@ -6,8 +6,9 @@
 //! root of a negative number is imaginary, its logarithm and its powers with other exponents than
 //! integers and halves of integers have no value.
 
+use super::arithmetic::Arithmetic;
 use super::failure::{Reason, Undefined};
-use super::jet::{Arithmetic, Jet, Result};
+use super::jet::{Jet, Result};
 use crate::real::{Complex, Real};
 use num_bigint::BigInt;
 use num_rational::BigRational;

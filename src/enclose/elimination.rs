@@ -6,8 +6,9 @@
 //! certainly vanishes.
 
 use super::apply::Truth;
+use super::arithmetic::Arithmetic;
 use super::failure::{Reason, Undefined};
-use super::jet::{Arithmetic, Jet, Result};
+use super::jet::{Jet, Result};
 use super::value::identity;
 use crate::expr::Relation;
 use crate::matrix::Matrix;

@@ -6,8 +6,11 @@
 //! it finds apart is apart; what overlaps proves nothing; what has no value says why.
 
 mod apply;
+mod arithmetic;
+mod blocks;
 mod challenge;
 mod compare;
+mod degrees;
 mod elementary;
 mod elimination;
 mod evaluator;
@@ -19,6 +22,8 @@ mod letters;
 mod names;
 mod point;
 mod points;
+mod roots;
+mod shown;
 mod solved;
 mod stable;
 mod unknowns;
@@ -26,12 +31,13 @@ mod value;
 mod world;
 
 pub use apply::Truth;
+pub use arithmetic::Arithmetic;
 pub use challenge::{Budget, Challenge, challenge};
-pub use compare::{Comparison, Shown};
 pub use evaluator::Evaluator;
 pub use failure::{NoValue, Reason, Undefined};
-pub use jet::{Arithmetic, Jet};
+pub use jet::Jet;
 pub use point::Point;
 pub use points::{NoPoint, Points};
+pub use shown::{Comparison, Shown};
 pub use value::Value;
 pub use world::World;

@@ -1,9 +1,10 @@
 //! The values of names: letters, definitions, members of families, entries, unknowns, and what the
 //! table of notation says.
 
+use super::arithmetic::Arithmetic;
 use super::evaluator::{Evaluator, Key, Result};
 use super::failure::Reason;
-use super::jet::{Arithmetic, Jet};
+use super::jet::Jet;
 use super::letters::LayerKind;
 use super::value::{Value, identity};
 use crate::expr::Name;

@@ -2,11 +2,9 @@
 //! others.
 //!
 //! Where the equation is linear in a letter, or one between vectors is so in the entries of another, it
-//! is solved by elimination; at rational points that is exact. Otherwise a root is shown to exist by the intermediate value theorem, between
-//! two numbers where the difference has opposite signs and over which it has values, and enclosed by
-//! bisection and Newton's method for intervals (Moore, *Interval Analysis*, 1966, chapter 7). An equation
-//! that processes take part in is true at all times: it is solved for the highest derivative of one,
-//! and its time derivatives for the higher ones.
+//! is solved by elimination; at rational points that is exact. Otherwise a root is enclosed (see
+//! [`super::roots`]). An equation that processes take part in is true at all times: it is solved for the
+//! highest derivative of one, and its time derivatives for the higher ones.
 
 use super::apply::Truth;
 use super::elimination::definite;
@@ -20,65 +18,32 @@ use super::world::World;
 use crate::matrix::Matrix;
 use crate::model::range::{Numbers, Range};
 use crate::model::{Hypothesis, Node};
-use crate::real::dyadic::{Dyadic, Rounding};
-use crate::real::{Complex, Interval, Real};
+use crate::real::dyadic::Dyadic;
+use crate::real::{Complex, Real};
 use crate::span::Span;
-use num_rational::BigRational;
-use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A symbol or its derivative of an order.
-type Letter = (usize, u8);
+pub(super) type Letter = (usize, u8);
 
 /// Digits of roots, and the work of one evaluation.
-const BITS: u32 = 192;
+pub(super) const BITS: u32 = 192;
 const WORK: u64 = 100_000;
 /// How many further derivatives of a process follow from an equation.
 const FURTHER: u8 = 3;
-/// Numbers between which roots are sought: numerators and denominators.
-const PROBES: [(i64, i64); 21] = [
-    (-1000, 1),
-    (-100, 1),
-    (-20, 1),
-    (-6, 1),
-    (-3, 1),
-    (-2, 1),
-    (-1, 1),
-    (-1, 2),
-    (-1, 10),
-    (-1, 100),
-    (0, 1),
-    (1, 100),
-    (1, 10),
-    (1, 2),
-    (1, 1),
-    (2, 1),
-    (3, 1),
-    (6, 1),
-    (20, 1),
-    (100, 1),
-    (1000, 1),
-];
-
 /// One scalar equation: a hypothesis and an entry of it.
 #[derive(Clone, Copy)]
-struct Equation<'h> {
-    hypothesis: &'h Hypothesis,
-    entry: usize,
+pub(super) struct Equation<'h> {
+    pub hypothesis: &'h Hypothesis,
+    pub entry: usize,
 }
 
 /// The search for one point.
 pub(super) struct Solver<'w, 'm> {
     world: &'w World<'m>,
-    ranges: &'w [Range],
+    pub(super) ranges: &'w [Range],
     work: u64,
     failure: Option<NoValue>,
-}
-
-/// The difference of an equation's sides at a point, with its slope by a letter.
-struct Difference {
-    value: Jet,
-    slope: Jet,
 }
 
 impl<'w, 'm> Solver<'w, 'm> {
@@ -260,7 +225,7 @@ impl<'w, 'm> Solver<'w, 'm> {
         Some(value.entries().len())
     }
 
-    fn evaluate<T>(
+    pub(super) fn evaluate<T>(
         &mut self,
         point: &Point,
         body: impl FnOnce(&mut Evaluator<'_, 'm>) -> Result<T, NoValue>,
@@ -281,32 +246,12 @@ impl<'w, 'm> Solver<'w, 'm> {
             .ok()
     }
 
-    /// The difference of the sides of an equation with its slope by a letter.
-    fn at(&mut self, point: &Point, equation: Equation<'_>, by: Letter) -> Option<Difference> {
-        let entry = equation.entry;
-        let span = equation.hypothesis.span;
-        self.evaluate(point, |e| {
-            let variable = e.arithmetic.open(1);
-            let kind = LayerKind::Shifted {
-                symbol: by.0,
-                order: by.1,
-                variable,
-            };
-            let value = e.with_layer(kind, |e| e.difference(equation.hypothesis));
-            e.arithmetic.close();
-            let value = value?;
-            let whole = value.entries().get(entry).map(|x| (*x).clone());
-            let whole = whole
-                .ok_or_else(|| Reason::Unsupported("an equation of another shape").at(span))?;
-            Ok(Difference {
-                value: whole.coefficient(variable, 0),
-                slope: whole.coefficient(variable, 1),
-            })
-        })
-    }
-
-    /// The same without a slope: what letters take part.
-    fn plain(&mut self, point: &Point, equation: Equation<'_>) -> Option<(Jet, BTreeSet<Letter>)> {
+    /// The difference of the sides of an equation, and what letters take part.
+    pub(super) fn plain(
+        &mut self,
+        point: &Point,
+        equation: Equation<'_>,
+    ) -> Option<(Jet, BTreeSet<Letter>)> {
         let entry = equation.entry;
         self.evaluate(point, |e| {
             let value = e.difference(equation.hypothesis)?;
@@ -431,175 +376,6 @@ impl<'w, 'm> Solver<'w, 'm> {
         }
     }
 
-    /// The sign of an equation's difference where a letter has this value.
-    fn sign_at(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        letter: Letter,
-        x: &Dyadic,
-    ) -> Option<Ordering> {
-        let value = Real::Enclosed(Interval::point(x.clone())).into();
-        let (value, _) = self.plain(&point.clone().with(letter.0, letter.1, value), equation)?;
-        let number = value.as_number()?;
-        if !number.is_real() {
-            return None;
-        }
-        number.re.sign()
-    }
-
-    /// A root by a change of sign.
-    fn real_root(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        letter: Letter,
-    ) -> Option<Interval> {
-        let free = Range::default();
-        let range = if letter.1 == 0 {
-            &self.ranges[letter.0]
-        } else {
-            &free
-        };
-        if range.numbers != Numbers::Real {
-            return None;
-        }
-        let probes = probes(range);
-        let mut before: Option<(Dyadic, Ordering)> = None;
-        for x in probes {
-            let Some(sign) = self.sign_at(point, equation, letter, &x) else {
-                before = None;
-                continue;
-            };
-            if sign == Ordering::Equal {
-                return Some(Interval::point(x));
-            }
-            if let Some((left, other)) = &before
-                && *other != sign
-                && let Some(root) =
-                    self.enclosed_root(point, equation, letter, [left.clone(), x.clone()], *other)
-            {
-                return Some(root);
-            }
-            before = Some((x, sign));
-        }
-        None
-    }
-
-    /// A root between two numbers, at the first of which the difference has a sign.
-    fn enclosed_root(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        letter: Letter,
-        ends: [Dyadic; 2],
-        sign: Ordering,
-    ) -> Option<Interval> {
-        let [mut low, mut high] = ends;
-        let mut shown = false;
-        for round in 0..2 * BITS {
-            let interval = Interval::between(low.clone(), high.clone());
-            if interval.is_narrow(i64::from(BITS) - 24) && shown {
-                return Some(interval);
-            }
-            let over =
-                point
-                    .clone()
-                    .with(letter.0, letter.1, Real::Enclosed(interval.clone()).into());
-            // A difference with values on all of the interval is continuous there.
-            let difference = if round >= 4 || shown {
-                self.at(&over, equation, letter)
-            } else {
-                None
-            };
-            let mut middle = interval.middle(BITS + 8);
-            if let Some(difference) = difference {
-                let real = difference.value.as_number().is_some_and(Complex::is_real);
-                shown |= real;
-                let slope = difference.slope.as_number().filter(|s| s.is_real());
-                if real && let Some(slope) = slope {
-                    match self.newton(point, equation, letter, &interval, &middle, &slope.re) {
-                        Some(narrower) if narrower.width() <= interval.width().scaled(-1) => {
-                            // Its ends need not have signs, but the root is within.
-                            if narrower.is_narrow(i64::from(BITS) - 24)
-                                || narrower.single().is_some()
-                            {
-                                return Some(narrower);
-                            }
-                            return self.refined(point, equation, letter, narrower);
-                        }
-                        Some(narrower) => middle = narrower.middle(BITS + 8),
-                        None => {}
-                    }
-                }
-            }
-            if middle <= low || middle >= high {
-                return shown.then_some(interval);
-            }
-            match self.sign_at(point, equation, letter, &middle) {
-                Some(Ordering::Equal) => return Some(Interval::point(middle)),
-                Some(s) if s == sign => low = middle,
-                Some(_) => high = middle,
-                None => return shown.then_some(interval),
-            }
-        }
-        None
-    }
-
-    /// The numbers of an interval that Newton's method leaves: `m - f(m) / f'(X)`.
-    fn newton(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        letter: Letter,
-        interval: &Interval,
-        middle: &Dyadic,
-        slope: &Real,
-    ) -> Option<Interval> {
-        let slope = slope.interval(BITS + 8);
-        if slope.contains_zero() {
-            return None;
-        }
-        let value = Real::Enclosed(Interval::point(middle.clone())).into();
-        let (value, _) = self.plain(&point.clone().with(letter.0, letter.1, value), equation)?;
-        let number = value.as_number().filter(|z| z.is_real())?;
-        let step = number.re.interval(BITS + 8).divide(&slope, BITS + 8)?;
-        let moved = Interval::point(middle.clone()).subtract(&step, BITS + 8);
-        moved.intersection(interval)
-    }
-
-    /// An interval that holds a root, narrowed by Newton's method as long as it helps.
-    fn refined(
-        &mut self,
-        point: &Point,
-        equation: Equation<'_>,
-        letter: Letter,
-        mut interval: Interval,
-    ) -> Option<Interval> {
-        for _ in 0..40 {
-            if interval.is_narrow(i64::from(BITS) - 24) {
-                break;
-            }
-            let over =
-                point
-                    .clone()
-                    .with(letter.0, letter.1, Real::Enclosed(interval.clone()).into());
-            let Some(difference) = self.at(&over, equation, letter) else {
-                break;
-            };
-            let Some(slope) = difference.slope.as_number().filter(|s| s.is_real()) else {
-                break;
-            };
-            let middle = interval.middle(BITS + 8);
-            let narrower = self.newton(point, equation, letter, &interval, &middle, &slope.re);
-            match narrower {
-                Some(narrower) if narrower.width() < interval.width() => interval = narrower,
-                _ => break,
-            }
-        }
-        Some(interval)
-    }
-
     /// Whether the declared definite matrices are so where their letters were determined.
     pub fn definite_stay_definite(&mut self, point: &Point) -> bool {
         let model = self.world.model();
@@ -620,7 +396,7 @@ impl<'w, 'm> Solver<'w, 'm> {
 
 impl Evaluator<'_, '_> {
     /// Left minus right.
-    fn difference(&mut self, hypothesis: &Hypothesis) -> Result<Value, NoValue> {
+    pub(super) fn difference(&mut self, hypothesis: &Hypothesis) -> Result<Value, NoValue> {
         let left = self.expression(&hypothesis.left)?;
         let right = self.expression(&hypothesis.right)?;
         let difference = self.arithmetic.sum(&left, &right.negated());
@@ -639,25 +415,4 @@ impl Evaluator<'_, '_> {
             e.difference(hypothesis)
         })
     }
-}
-
-/// Numbers of a range in increasing order.
-fn probes(range: &Range) -> Vec<Dyadic> {
-    let dyadic = |x: &BigRational| Dyadic::from_rational(x, 40, Rounding::Down);
-    let mut found: BTreeSet<Dyadic> = PROBES
-        .iter()
-        .map(|(n, d)| dyadic(&BigRational::new((*n).into(), (*d).into())))
-        .collect();
-    if let (Some(low), Some(high)) = (&range.low, &range.high) {
-        for k in 0..=16i64 {
-            let part = BigRational::new(k.into(), 16.into());
-            found.insert(dyadic(&(&low.value + (&high.value - &low.value) * part)));
-        }
-    } else if let Some(end) = range.low.as_ref().or(range.high.as_ref()) {
-        for (n, d) in PROBES {
-            found.insert(dyadic(&(&end.value + BigRational::new(n.into(), d.into()))));
-        }
-    }
-    let inside = |x: &Dyadic| range.contains(&x.to_rational());
-    found.into_iter().filter(inside).collect()
 }

@@ -4,9 +4,10 @@
 //! (A. Hurwitz 1895; F. R. Gantmacher, *The Theory of Matrices* II, 1959, chapter XV).
 
 use super::apply::Truth;
+use super::arithmetic::Arithmetic;
 use super::evaluator::{Evaluator, Result};
 use super::failure::Reason;
-use super::jet::{Arithmetic, Jet};
+use super::jet::Jet;
 use crate::expr::{Expr, ExprKind, Function, Relation};
 use crate::matrix::Matrix;
 

@@ -2,8 +2,9 @@
 //!
 //! A matrix with one entry is the scalar it holds, as in `c^T P c`; every operation returns it as such.
 
+use super::arithmetic::Arithmetic;
 use super::failure::Reason;
-use super::jet::{Arithmetic, Jet, Result};
+use super::jet::{Jet, Result};
 use crate::matrix::Matrix;
 
 /// What an expression evaluates to.
