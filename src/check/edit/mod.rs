@@ -20,6 +20,7 @@ mod quotient;
 mod rows;
 mod sign;
 mod term;
+pub mod written;
 
 pub use address::{Address, Site, sites};
 pub use bound::measures;

@@ -93,8 +93,9 @@ impl<'m> Checker<'m> {
         among: Option<&BTreeSet<usize>>,
     ) -> Option<Found> {
         let model = self.model;
-        // Functions have no values of their own modulo the prime.
-        if model.functions.is_some() || !model.equations[equation].assume.is_empty() {
+        // What holds under hypotheses of its own says nothing of a definition. A claim with functions
+        // has no value modulo the prime and is then not mended so.
+        if !model.equations[equation].assume.is_empty() {
             return None;
         }
         let context = edit::Context::of(model);
@@ -227,7 +228,7 @@ impl<'m> Checker<'m> {
         let model = self.model;
         let budget = self.options.candidates;
         let sought = self.options.repair && self.in_definitions && budget > 0;
-        if !sought || model.functions.is_some() {
+        if !sought {
             return;
         }
         let is_false = |outcome: &Outcome| match &outcome.verdict {

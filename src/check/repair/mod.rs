@@ -18,14 +18,15 @@ mod parallel;
 mod preferred;
 mod rejected;
 mod residue;
+mod saying;
 mod sites;
 mod solved;
 mod store;
 
 use super::Checker;
-use super::edit::{self, Replacement, form};
+use super::edit::{self, Replacement};
 use super::identity::Decision;
-use crate::expr::{Display, ExprKind, Name};
+use crate::expr::Display;
 use crate::latex;
 use crate::model::links::Link;
 use crate::verdict::{
@@ -149,7 +150,7 @@ impl<'m> Checker<'m> {
         let mut passing = trial.passing(first);
         passing.extend(trial.solved(&context));
         let mut best = Best::default();
-        let found = self.prove(equation, link, passing, &singles, &trial);
+        let found = self.prove(equation, link, passing, &singles, &mut trial);
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
@@ -170,7 +171,7 @@ impl<'m> Checker<'m> {
             }
         }
         let passing = trial.passing(repeated);
-        let found = self.prove(equation, link, passing, &singles, &trial);
+        let found = self.prove(equation, link, passing, &singles, &mut trial);
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
@@ -180,7 +181,7 @@ impl<'m> Checker<'m> {
             return Ok(found);
         }
         let mut passing = trial.pairs(&singles);
-        let mut found = self.prove(equation, link, passing.clone(), &singles, &trial);
+        let mut found = self.prove(equation, link, passing.clone(), &singles, &mut trial);
         // What would have to be evaluated pair by pair is of use only where it costs no more.
         let most = match &found {
             Some(correction)
@@ -194,7 +195,7 @@ impl<'m> Checker<'m> {
         let apart = trial.pairs_apart(&singles, most);
         if !apart.is_empty() {
             passing.extend(apart);
-            found = self.prove(equation, link, passing, &singles, &trial);
+            found = self.prove(equation, link, passing, &singles, &mut trial);
         } else if let Some(correction) = &mut found {
             correction.tried = trial.tried.min(trial.limit);
         }
@@ -216,7 +217,7 @@ impl<'m> Checker<'m> {
         link: &Link,
         mut passing: Vec<Candidate>,
         singles: &[Replacement],
-        trial: &Trial<'_, 'm>,
+        trial: &mut Trial<'_, 'm>,
     ) -> Option<Found> {
         let display = trial.display;
         passing.sort_by_key(|candidate| candidate.cost);
@@ -231,23 +232,18 @@ impl<'m> Checker<'m> {
             let corrected = edited(display, &candidate.steps);
             let sides = [link.left, link.right].map(|p| p.find(&corrected).map(latex::write_expr));
             let text = sides.map(Option::unwrap_or_default);
-            if text[0] == text[1] || !seen.insert(text.join(" = ")) {
+            if !seen.insert(text.join(" = ")) {
                 continue;
             }
-            if says_nothing(self, display, &corrected, link, &candidate) {
+            if saying::emptied(trial, &corrected, &candidate).is_some() {
+                trial.empty += 1;
                 continue;
             }
             self.exact.correct(equation, corrected.clone());
             let decision = match self.sides(equation, link) {
-                Ok(entries) => {
-                    let zero =
-                        |e: &crate::verdict::ResidualEntry| e.left.is_zero() && e.right.is_zero();
-                    if entries.iter().all(zero) && !trial.zero {
-                        continue;
-                    }
-                    self.decide_true(&entries, equation)
-                        .map(|decision| (decision, entries))
-                }
+                Ok(entries) => self
+                    .decide_true(&entries, equation)
+                    .map(|decision| (decision, entries)),
                 Err(_) => continue,
             };
             let (given, proof) = match decision {
@@ -334,77 +330,6 @@ impl<'m> Checker<'m> {
 /// What corrections are compared by.
 fn sorting(proved: &Proved) -> (bool, u32) {
     (proved.given.is_some(), proved.candidate.cost)
-}
-
-/// Whether a correction only restates the claim or makes its sides the same by taking the content
-/// out of it.
-fn says_nothing(
-    checker: &Checker<'_>,
-    printed: &Display,
-    corrected: &Display,
-    link: &Link,
-    candidate: &Candidate,
-) -> bool {
-    let plain = |class: EditClass| !matches!(class, EditClass::Letter | EditClass::Index);
-    let pure = candidate.steps.len() == 1
-        && candidate.steps.iter().all(|step| plain(step.class))
-        && !uses_definitions(checker, printed, link);
-    !pure && form::is_restatement(corrected, link)
-        || form::zeros(corrected, link) > form::zeros(printed, link)
-        || candidate.steps.len() > 1 && loses_content(printed, corrected, link, candidate)
-}
-
-/// Whether several edits leave little of what the equation is about: two letters that it no longer
-/// names, or one whose terms and factors were all taken out.
-fn loses_content(
-    printed: &Display,
-    corrected: &Display,
-    link: &Link,
-    candidate: &Candidate,
-) -> bool {
-    let names = |display: &Display| {
-        let mut found: BTreeSet<String> = BTreeSet::new();
-        for expr in [link.left, link.right]
-            .iter()
-            .filter_map(|p| p.find(display))
-        {
-            crate::model::links::visit(expr, &mut |e| {
-                if let Some(name) = edit::name_of(e) {
-                    // Another index or dot is no other letter.
-                    let bare = Name {
-                        subscript: None,
-                        ..name.undotted()
-                    };
-                    found.insert(latex::canonical(&bare));
-                }
-            });
-        }
-        found
-    };
-    let left = names(corrected);
-    let lost = names(printed).into_iter().filter(|n| !left.contains(n));
-    let dropped = candidate.steps.iter().all(|s| s.class == EditClass::Term);
-    lost.count() > usize::from(!dropped)
-}
-
-/// Whether a side names anything that has a definition.
-fn uses_definitions(checker: &Checker<'_>, display: &Display, link: &Link) -> bool {
-    use crate::model::names::Resolved;
-    let mut found = false;
-    for side in [link.left, link.right] {
-        if let Some(expr) = side.find(display) {
-            crate::model::links::visit(expr, &mut |e| {
-                if let ExprKind::Name(name) = &e.kind {
-                    let resolved = checker.model.resolve(name, &|_| false);
-                    found |= matches!(
-                        resolved,
-                        Ok(Resolved::Node { .. } | Resolved::Indexed { .. })
-                    );
-                }
-            });
-        }
-    }
-    found
 }
 
 /// A display with some edits made.

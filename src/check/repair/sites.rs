@@ -50,8 +50,8 @@ pub(super) struct Trial<'r, 'm> {
     pub nodes: Option<Rc<Vec<Id>>>,
     pub tried: usize,
     pub limit: usize,
-    /// Whether both sides as printed are zero.
-    pub zero: bool,
+    /// How many candidates make the sides agree and say less than the print.
+    pub empty: usize,
 }
 
 /// How many candidates the slow filter looks at.
@@ -144,7 +144,7 @@ impl<'r, 'm> Trial<'r, 'm> {
             nodes: None,
             tried: 0,
             limit,
-            zero: false,
+            empty: 0,
         };
         let sides = trial.sides();
         let mut first = None;
@@ -158,14 +158,6 @@ impl<'r, 'm> Trial<'r, 'm> {
             }
         }
         trial.env = first.unwrap_or(0);
-        let zero = |residue: Residue| {
-            residue
-                .value()
-                .is_some_and(|v| v.entries().iter().all(|e| **e == 0))
-        };
-        trial.zero = sides
-            .iter()
-            .all(|id| zero(trial.store.value(*id, trial.env)));
         trial
     }
 
@@ -286,7 +278,7 @@ impl<'r, 'm> Trial<'r, 'm> {
 
     /// Whether the sides agree with some edits, at the first indices that tell; none where that cannot
     /// be told.
-    fn told(&mut self, steps: &[Replacement]) -> Option<bool> {
+    pub(super) fn told(&mut self, steps: &[Replacement]) -> Option<bool> {
         if let Some(puts) = self.puts(steps) {
             let sides = [self.link.left, self.link.right];
             let [left, right] = sides.map(|place| self.side_with(place, &puts));
