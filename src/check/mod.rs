@@ -50,6 +50,9 @@ pub struct Options {
     pub repair: bool,
     /// The largest number of candidates that the search looks at for one link.
     pub candidates: usize,
+    /// The most work that the search does for one link, in steps: operations on numbers, nodes of
+    /// expressions, and so many for each term of an exact value.
+    pub work: u64,
     /// How many threads sift candidates; the results do not depend on it.
     pub threads: usize,
 }
@@ -59,6 +62,7 @@ impl Default for Options {
         Options {
             repair: true,
             candidates: 2_000_000,
+            work: 30_000_000,
             threads: crate::stack::processors(),
         }
     }

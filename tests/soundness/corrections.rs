@@ -766,3 +766,30 @@ fn the_first_examples() {
     assert_eq!(correction.edits.len(), 1);
     assert!(correction.edits[0].corrected.contains("- 2ab"));
 }
+
+/// Another end is another statement.
+#[test]
+fn the_end_of_a_limit_is_not_edited() {
+    let mut claims = Claims::new(
+        &["a", "b", "x"],
+        &["f = \\frac{a}{a + x}", "g = \\frac{x^2}{b + x}"],
+    );
+    let mut random = Random(4);
+    for _ in 0..20 {
+        let (n, m) = (random.from(2, 9), random.from(2, 9));
+        let end = *random.pick(&["0", "\\infty"]);
+        let wrong = match end {
+            "0" => ["0", "\\infty"],
+            _ => ["1", "0"],
+        };
+        claims.add(&format!("x \\to {end}, \\quad f \\to {}", wrong[0]));
+        claims.add(&format!(
+            "x \\to {end}, \\quad {n}g + {m} \\to {}",
+            wrong[1]
+        ));
+    }
+    for outcome in &claims.audit(1_000).outcomes {
+        let found = matches!(outcome.verdict, Verdict::Misprint { .. });
+        assert!(!found, "{outcome:?}");
+    }
+}

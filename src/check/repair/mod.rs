@@ -6,8 +6,8 @@
 //! true as a formula passes, a false one passes with negligible probability, and what passes is
 //! then proved over the rational functions like any other claim.
 //!
-//! The number of candidates is bounded, and no clock decides. The candidates are sifted on several
-//! threads; how many changes nothing but the time.
+//! The number of candidates is bounded, and so is the work that is done for them all, in steps; no clock
+//! decides. The candidates are sifted on several threads; how many changes nothing but the time.
 
 mod definitions;
 mod evaluators;
@@ -22,6 +22,7 @@ mod saying;
 mod sites;
 mod solved;
 mod store;
+mod work;
 
 use super::Checker;
 use super::edit::{self, Replacement};
@@ -29,11 +30,13 @@ use super::identity::Decision;
 use crate::expr::Display;
 use crate::latex;
 use crate::model::links::Link;
+use crate::progress::interrupted;
 use crate::verdict::{
-    Changed, Correction, Edit, EditClass, Given, Preferred, Proof, Proposal, Searched,
+    Changed, Correction, Edit, EditClass, Ended, Given, Preferred, Proof, Proposal, Searched,
 };
 use sites::Trial;
 use std::collections::BTreeSet;
+use work::Spent;
 
 /// How many candidates that the filter cannot judge are evaluated exactly.
 const EXACTLY: usize = 400;
@@ -41,11 +44,14 @@ const EXACTLY: usize = 400;
 /// How many candidates that passed the filter are proved, the cheapest first.
 const PASSING: usize = 48;
 
+/// Steps for a proof beside those for its terms.
+const PROOF: u64 = 1_000;
+
 /// How many corrections beside the first are reported.
 const OTHERS: usize = 12;
 
 /// How many combinations of one slip repeated are tried for each number of repetitions.
-const REPEATED: usize = 20_000;
+const REPEATED: usize = 5_000;
 
 /// What a pair of edits costs more than its parts: two slips are rarer than one.
 const SECOND_SLIP: u32 = 40;
@@ -122,7 +128,8 @@ struct Proved {
 }
 
 impl<'m> Checker<'m> {
-    /// The cheapest correction of a link with its proof, if one is found among `budget` candidates.
+    /// The cheapest correction of a link with its proof, if one is found among `budget` candidates and
+    /// before the work that the options allow is done.
     ///
     /// # Errors
     /// How many candidates were tried in vain.
@@ -132,16 +139,19 @@ impl<'m> Checker<'m> {
         link: &Link,
         budget: usize,
     ) -> Result<Found, Searched> {
-        let mut searched = Searched { tried: 0, budget };
+        let limit = Spent {
+            tried: budget,
+            work: self.options.work,
+        };
         if budget == 0 {
-            return Err(searched);
+            return Err(searched(limit, Spent::default(), 0, 0));
         }
         let display = self.exact.display(equation).clone();
         let places = [link.left, link.right];
         let context = edit::Context::of(self.model);
         let rows = edit::braces_under_all_rows(&display, link.right);
         let singles = edit::singles(&display, &places, &context);
-        let mut trial = Trial::new(self, &display, link, budget);
+        let mut trial = Trial::new(self, &display, link, limit);
         let mut first: Vec<Candidate> = Vec::new();
         if !rows.is_empty() {
             first.push(Candidate::repeated(rows.iter().collect()));
@@ -176,7 +186,7 @@ impl<'m> Checker<'m> {
             return Ok(found);
         }
         if best.found.is_none()
-            && let Some(found) = self.by_definition(equation, link, trial.tried, budget, None)
+            && let Some(found) = self.by_definition(equation, link, &mut trial.spent, limit, None)
         {
             return Ok(found);
         }
@@ -197,7 +207,7 @@ impl<'m> Checker<'m> {
             passing.extend(apart);
             found = self.prove(equation, link, passing, &singles, &mut trial);
         } else if let Some(correction) = &mut found {
-            correction.tried = trial.tried.min(trial.limit);
+            correction.tried = trial.spent.tried.min(limit.tried);
         }
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
@@ -205,8 +215,7 @@ impl<'m> Checker<'m> {
         if let Some((found, _)) = best.found {
             return Ok(found);
         }
-        searched.tried = trial.tried.min(budget);
-        Err(searched)
+        Err(searched(limit, trial.spent, trial.all, trial.empty))
     }
 
     /// Proves the candidates that were not ruled out, the cheapest first, until one is proved and
@@ -221,12 +230,13 @@ impl<'m> Checker<'m> {
     ) -> Option<Found> {
         let display = trial.display;
         passing.sort_by_key(|candidate| candidate.cost);
+        let reserve = trial.spent.and(trial.reserve()).work;
         let mut proved: Vec<Proved> = Vec::new();
         let mut seen: BTreeSet<String> = BTreeSet::new();
         for (k, candidate) in passing.into_iter().enumerate() {
             let enough = proved.len() > OTHERS
                 || k >= PASSING && proved.iter().any(|p| p.candidate.cost < candidate.cost);
-            if enough || k >= EXACTLY {
+            if enough || k >= EXACTLY || trial.spent.work >= reserve || interrupted() {
                 break;
             }
             let corrected = edited(display, &candidate.steps);
@@ -235,15 +245,21 @@ impl<'m> Checker<'m> {
             if !seen.insert(text.join(" = ")) {
                 continue;
             }
-            if saying::emptied(trial, &corrected, &candidate).is_some() {
+            let mark = trial.store.mark();
+            let emptied = saying::emptied(trial, &corrected, &candidate);
+            trial.store.release(mark);
+            if emptied.is_some() {
                 trial.empty += 1;
                 continue;
             }
             self.exact.correct(equation, corrected.clone());
             let decision = match self.sides(equation, link) {
-                Ok(entries) => self
-                    .decide_true(&entries, equation)
-                    .map(|decision| (decision, entries)),
+                Ok(entries) => {
+                    let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
+                    trial.spent.work += PROOF + work::exact(values);
+                    self.decide_true(&entries, equation)
+                        .map(|decision| (decision, entries))
+                }
                 Err(_) => continue,
             };
             let (given, proof) = match decision {
@@ -316,14 +332,35 @@ impl<'m> Checker<'m> {
             cost: first.candidate.cost,
             given: first.given,
             proof: first.proof,
-            tried: trial.tried.min(trial.limit),
-            budget: trial.limit,
+            tried: trial.spent.tried.min(trial.limit.tried),
+            budget: trial.limit.tried,
             alternatives,
             others,
             preferred,
             rejected,
         };
         Some(correction)
+    }
+}
+
+/// How a search ended that found nothing.
+fn searched(limit: Spent, spent: Spent, all: usize, empty: usize) -> Searched {
+    let ended = if interrupted() {
+        Some(Ended::Interrupted)
+    } else if spent.tried >= limit.tried {
+        Some(Ended::Candidates)
+    } else if spent.work >= limit.work {
+        Some(Ended::Work)
+    } else {
+        None
+    };
+    let tried = spent.tried.min(limit.tried);
+    Searched {
+        tried,
+        of: all.max(tried),
+        budget: limit.tried,
+        ended,
+        empty,
     }
 }
 

@@ -1,17 +1,19 @@
-//! The candidates of one link as they are tried: each costs its new nodes from the edited place up
-//! to the side.
+//! The candidates of one link as they are tried: each costs what it puts in and the operations from
+//! there up to the side, and keeps nothing.
 
 use super::evaluators::{ExactFilter, Passing, passes};
 use super::pairs::Table;
 use super::parallel::{Blocks, Seed, first_until};
 use super::residue::{Residue, compared, operation};
 use super::store::{Env, Id, Shape, Store};
+use super::work::{self, Spent};
 use super::{Candidate, edited};
-use crate::check::edit::{Address, Replacement, sites};
+use crate::check::edit::{Address, Change, Replacement, sites};
 use crate::check::{Checker, index_tuples};
 use crate::expr::{Display, Expr, ExprKind};
 use crate::latex;
 use crate::model::links::{Link, Place};
+use crate::progress::interrupted;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -27,6 +29,13 @@ pub(super) struct Spot {
     pub end: usize,
     /// Whether it is no operation, but brackets or a brace around one.
     plain: bool,
+}
+
+/// An edit at its place, with the nodes of what it puts in.
+pub(super) struct Put<'e> {
+    pub spot: usize,
+    pub nodes: Vec<Id>,
+    pub edit: &'e Replacement,
 }
 
 /// The candidates of a link.
@@ -47,9 +56,11 @@ pub(super) struct Trial<'r, 'm> {
     /// For pairs: what each edit puts at its place.
     pub table: Option<Rc<Table>>,
     /// For pairs that are evaluated one by one: the node of each edit.
-    pub nodes: Option<Rc<Vec<Id>>>,
-    pub tried: usize,
-    pub limit: usize,
+    pub nodes: Option<Rc<Vec<Vec<Id>>>>,
+    pub spent: Spent,
+    pub limit: Spent,
+    /// How many candidates there are, as far as they were listed.
+    pub all: usize,
     /// How many candidates make the sides agree and say less than the print.
     pub empty: usize,
 }
@@ -68,7 +79,7 @@ impl<'r, 'm> Trial<'r, 'm> {
         checker: &Checker<'m>,
         display: &'r Display,
         link: &'r Link,
-        limit: usize,
+        limit: Spent,
     ) -> Trial<'r, 'm> {
         let (evaluator, exact, images) = checker.modulo_prime();
         let functions = checker.model.functions.is_some();
@@ -142,8 +153,9 @@ impl<'r, 'm> Trial<'r, 'm> {
             },
             table: None,
             nodes: None,
-            tried: 0,
+            spent: Spent::default(),
             limit,
+            all: 0,
             empty: 0,
         };
         let sides = trial.sides();
@@ -158,6 +170,7 @@ impl<'r, 'm> Trial<'r, 'm> {
             }
         }
         trial.env = first.unwrap_or(0);
+        trial.store.printed();
         trial
     }
 
@@ -175,46 +188,9 @@ impl<'r, 'm> Trial<'r, 'm> {
         compared(&left, &right)
     }
 
-    /// The node of a side with an edit.
-    fn lifted(&mut self, replacement: &Replacement) -> Option<Id> {
-        let mut spot = *self.spot_at.get(&replacement.address)?;
-        let expr = Expr::new(replacement.kind.clone(), crate::span::Span::default());
-        let mut id = self.store.node(&expr);
-        while let Some(parent) = self.spots[spot].parent {
-            id = self.with_child(parent, self.spots[spot].step, id)?;
-            spot = parent;
-        }
-        Some(id)
-    }
-
-    /// The node of a subexpression with another child; none where its children are no nodes.
-    fn with_child(&mut self, parent: usize, step: usize, child: Id) -> Option<Id> {
-        if self.spots[parent].plain {
-            return Some(child);
-        }
-        let mut shape = (*self.store.shape(self.spots[parent].id)).clone();
-        match &mut shape {
-            Shape::Sum(terms) => terms.get_mut(step)?.1 = child,
-            Shape::Product(ids) => *ids.get_mut(step)? = child,
-            Shape::Quotient(above, below) => *[above, below].into_iter().nth(step)? = child,
-            Shape::Power(base, _) if step == 0 => *base = child,
-            Shape::Transpose(inner) => *inner = child,
-            Shape::Running(_, _, _, body) if step == 2 => *body = child,
-            // A matrix may need its expression for blocks.
-            _ => return None,
-        }
-        Some(self.store.shared(shape, None))
-    }
-
     /// The nodes of both sides with some edits.
     fn edited_sides(&mut self, steps: &[Replacement]) -> [Id; 2] {
         let mut sides = self.sides();
-        if let [only] = steps
-            && let Some(id) = self.lifted(only)
-        {
-            sides[usize::from(only.address.place != self.link.left)] = id;
-            return sides;
-        }
         let display = edited(self.display, steps);
         for (side, place) in sides.iter_mut().zip([self.link.left, self.link.right]) {
             if let Some(expr) = place.find(&display) {
@@ -224,37 +200,73 @@ impl<'r, 'm> Trial<'r, 'm> {
         sides
     }
 
+    /// What is left for candidates.
+    pub fn left(&self) -> Spent {
+        self.limit.less(self.spent)
+    }
+
+    /// What is left for what passed: a part of the whole is kept for it.
+    pub fn reserve(&self) -> Spent {
+        let whole = self.limit.work.saturating_add(self.limit.work / 4);
+        Spent {
+            tried: usize::MAX,
+            work: whole.saturating_sub(self.spent.work),
+        }
+    }
+
     /// What `work` says of each of some units, on several threads where there are many of them; no
-    /// more units once what they have `spent` together reaches a bound.
+    /// more units once what they have spent together reaches a limit. A unit has `tried` so many
+    /// candidates.
     pub fn each<R: Send>(
         &mut self,
         units: usize,
-        left: usize,
+        limit: Spent,
         work: impl Fn(&mut Trial<'_, 'm>, usize) -> R + Sync,
-        spent: impl Fn(&R) -> usize + Sync,
+        tried: impl Fn(&R) -> usize + Sync,
     ) -> Vec<R> {
-        if self.threads < 2 || units < MANY {
-            return first_until((0..units).map(|unit| work(self, unit)), left, spent);
-        }
-        let (display, link, limit, seed) = (self.display, self.link, self.limit, &self.seed);
-        let blocks = Blocks {
-            units,
-            size: BLOCK,
-            threads: self.threads,
+        let measured = |trial: &mut Trial<'_, 'm>, unit: usize| {
+            let before = trial.store.steps();
+            let result = work(trial, unit);
+            let spent = Spent {
+                tried: tried(&result),
+                work: trial.store.steps() - before + 1,
+            };
+            (result, spent)
         };
-        let start = || Trial::new(&seed.checker(), display, link, limit);
-        let results = blocks.run(
-            left,
-            start,
-            |trial, range| range.map(|unit| work(trial, unit)).collect::<Vec<R>>(),
-            |results| results.iter().map(&spent).sum(),
-        );
-        first_until(results.into_iter().flatten(), left, spent)
+        let results = if self.threads < 2 || units < MANY {
+            let results = (0..units).map(|unit| measured(self, unit));
+            first_until(results, limit, |(_, spent)| *spent)
+        } else {
+            let (display, link, whole, seed) = (self.display, self.link, self.limit, &self.seed);
+            let blocks = Blocks {
+                units,
+                size: BLOCK,
+                threads: self.threads,
+            };
+            let start = || Trial::new(&seed.checker(), display, link, whole);
+            let results = blocks.run(
+                limit,
+                start,
+                |trial, range| range.map(|unit| measured(trial, unit)).collect::<Vec<_>>(),
+                |results| {
+                    let spent = results.iter().map(|(_, spent)| *spent);
+                    spent.fold(Spent::default(), Spent::and)
+                },
+            );
+            first_until(results.into_iter().flatten(), limit, |(_, spent)| *spent)
+        };
+        let mut found = Vec::with_capacity(results.len());
+        for (result, spent) in results {
+            self.spent = self.spent.and(spent);
+            found.push(result);
+        }
+        found
     }
 
     /// Of some candidates, those that are not ruled out.
     pub fn passing(&mut self, candidates: Vec<Candidate>) -> Vec<Candidate> {
-        let left = self.limit.saturating_sub(self.tried);
+        self.all += candidates.len();
+        let left = self.left();
         let judge = |trial: &mut Trial<'_, 'm>, k: usize| {
             let candidate: &Candidate = &candidates[k];
             if !trial.fast || trial.touches_elsewhere(candidate) {
@@ -263,7 +275,6 @@ impl<'r, 'm> Trial<'r, 'm> {
             trial.told(&candidate.steps)
         };
         let verdicts = self.each(candidates.len(), left, judge, |_| 1);
-        self.tried += verdicts.len();
         let mut found = Vec::new();
         let mut unknown = Vec::new();
         for (candidate, verdict) in candidates.into_iter().zip(verdicts) {
@@ -279,30 +290,78 @@ impl<'r, 'm> Trial<'r, 'm> {
     /// Whether the sides agree with some edits, at the first indices that tell; none where that cannot
     /// be told.
     pub(super) fn told(&mut self, steps: &[Replacement]) -> Option<bool> {
-        if let Some(puts) = self.puts(steps) {
-            let sides = [self.link.left, self.link.right];
-            let [left, right] = sides.map(|place| self.side_with(place, &puts));
-            return compared(&left, &right);
-        }
-        let sides = self.edited_sides(steps);
-        self.compare(sides, self.env)
+        let mark = self.store.mark();
+        let told = match self.puts(steps) {
+            Some(puts) => {
+                let sides = [self.link.left, self.link.right];
+                let [left, right] = sides.map(|place| self.side_with(place, &puts));
+                compared(&left, &right)
+            }
+            None => {
+                let sides = self.edited_sides(steps);
+                self.compare(sides, self.env)
+            }
+        };
+        self.store.release(mark);
+        told
     }
 
-    /// Several edits at places of which none holds another, with their nodes.
-    fn puts<'e>(&mut self, steps: &'e [Replacement]) -> Option<Vec<(usize, Id, &'e Replacement)>> {
-        let mut puts: Vec<(usize, Id, &Replacement)> = Vec::with_capacity(steps.len());
-        if steps.len() < 2 {
-            return None;
-        }
-        for step in steps {
-            let spot = *self.spot_at.get(&step.address)?;
-            if puts.iter().any(|(other, ..)| self.are_nested(spot, *other)) {
+    /// Edits at places of which none holds another, with their nodes.
+    fn puts<'e>(&mut self, steps: &'e [Replacement]) -> Option<Vec<Put<'e>>> {
+        let mut puts: Vec<Put<'e>> = Vec::with_capacity(steps.len());
+        for edit in steps {
+            let spot = *self.spot_at.get(&edit.address)?;
+            if puts.iter().any(|other| self.are_nested(spot, other.spot)) {
                 return None;
             }
-            let expr = Expr::new(step.kind.clone(), crate::span::Span::default());
-            puts.push((spot, self.store.node(&expr), step));
+            let nodes = self.nodes_put_in(edit);
+            puts.push(Put { spot, nodes, edit });
         }
         Some(puts)
+    }
+
+    /// The nodes of what an edit puts in.
+    pub fn nodes_put_in(&mut self, edit: &Replacement) -> Vec<Id> {
+        match &edit.change {
+            Change::Whole(kind) => {
+                let expr = Expr::new(kind.clone(), crate::span::Span::default());
+                vec![self.store.node(&expr)]
+            }
+            change @ (Change::Terms { .. } | Change::Factors { .. }) => {
+                let pieces = change.pieces().into_iter();
+                pieces.map(|piece| self.store.node(piece)).collect()
+            }
+        }
+    }
+
+    /// The value of an edited subexpression; none where only the whole expression tells.
+    pub fn put_value(&mut self, put: &Put<'_>) -> Option<Residue> {
+        let printed = self.store.shape(self.spots[put.spot].id);
+        let shape = match (&put.edit.change, &*printed) {
+            (Change::Whole(_), _) => {
+                let id = *put.nodes.first()?;
+                return Some(self.store.value(id, self.env));
+            }
+            (Change::Terms { from, to, by }, Shape::Sum(terms)) => {
+                let new = by
+                    .iter()
+                    .zip(&put.nodes)
+                    .map(|((sign, _), id)| (*sign, *id));
+                let mut terms = terms.clone();
+                terms.splice(*from..*to, new);
+                Shape::Sum(terms)
+            }
+            (Change::Factors { from, to, .. }, Shape::Product(factors)) => {
+                let mut factors = factors.clone();
+                factors.splice(*from..*to, put.nodes.iter().copied());
+                Shape::Product(factors)
+            }
+            (Change::Terms { .. } | Change::Factors { .. }, _) => return None,
+        };
+        let residue = operation(&shape, &mut |_, id| self.store.value(id, self.env));
+        let value = residue.as_ref().and_then(Residue::value);
+        self.store.charge(work::operation(value, shape.operands()));
+        residue
     }
 
     /// Whether one of two places holds the other.
@@ -312,7 +371,7 @@ impl<'r, 'm> Trial<'r, 'm> {
     }
 
     /// The value of a side with other nodes put in some of its places, which keeps nothing.
-    pub fn side_with(&mut self, place: Place, puts: &[(usize, Id, &Replacement)]) -> Residue {
+    pub fn side_with(&mut self, place: Place, puts: &[Put<'_>]) -> Residue {
         let Some(root) = self.spot_at.get(&Address::of_side(place)).copied() else {
             return Residue::Unknown;
         };
@@ -323,9 +382,10 @@ impl<'r, 'm> Trial<'r, 'm> {
             return Residue::Unknown;
         };
         let mut side = printed.clone();
-        for (_, _, edit) in puts.iter().filter(|(_, _, e)| e.address.place == place) {
+        let here = puts.iter().map(|put| put.edit);
+        for edit in here.filter(|e| e.address.place == place) {
             if let Some(expr) = edit.address.below(&mut side) {
-                expr.kind = edit.kind.clone();
+                edit.change.apply(expr);
             }
         }
         self.store.evaluated(&side, self.env)
@@ -333,12 +393,12 @@ impl<'r, 'm> Trial<'r, 'm> {
 
     /// The value of a printed subexpression with other nodes put in some places below it; none where
     /// only the whole expression tells.
-    fn value_with(&mut self, spot: usize, puts: &[(usize, Id, &Replacement)]) -> Option<Residue> {
-        if let Some((_, id, _)) = puts.iter().find(|(at, ..)| *at == spot) {
-            return Some(self.store.value(*id, self.env));
+    fn value_with(&mut self, spot: usize, puts: &[Put<'_>]) -> Option<Residue> {
+        if let Some(put) = puts.iter().find(|put| put.spot == spot) {
+            return self.put_value(put);
         }
         let here = &self.spots[spot];
-        let inside = |from: usize| puts.iter().any(|(at, ..)| (from..here.end).contains(at));
+        let inside = |from: usize| puts.iter().any(|put| (from..here.end).contains(&put.spot));
         if !inside(spot) {
             return Some(self.store.value(here.id, self.env));
         }
@@ -359,6 +419,8 @@ impl<'r, 'm> Trial<'r, 'm> {
             told &= value.is_some();
             value.unwrap_or(Residue::Unknown)
         });
+        let value = residue.as_ref().and_then(Residue::value);
+        self.store.charge(work::operation(value, shape.operands()));
         residue.filter(|_| told)
     }
 
@@ -379,10 +441,13 @@ impl<'r, 'm> Trial<'r, 'm> {
             .collect();
         let judge = |trial: &mut Trial<'_, 'm>, k: usize| {
             let display = edited(trial.display, &candidates[k].steps);
+            let sides = [trial.link.left, trial.link.right].into_iter();
+            let steps = sides.filter_map(|p| p.find(&display)).map(work::evaluated);
+            trial.store.charge(steps.sum());
             let evaluator = &mut trial.store.evaluator;
             passes(evaluator, trial.functions, &display, trial.link)
         };
-        let verdicts = self.each(candidates.len(), usize::MAX, judge, |_| 0);
+        let verdicts = self.each(candidates.len(), self.reserve(), judge, |_| 0);
         for (candidate, verdict) in candidates.into_iter().zip(verdicts) {
             match verdict {
                 Passing::Agrees => passing.push(candidate),
@@ -395,11 +460,19 @@ impl<'r, 'm> Trial<'r, 'm> {
         }
         // With functions that have no image modulo the prime: exactly, one by one.
         if let Some(exact) = &mut self.exact {
+            let left = self.limit.work.saturating_sub(self.spent.work);
+            let mut steps = 0;
             for (candidate, display) in open.into_iter().take(super::EXACTLY) {
-                if exact.agree(&display, self.link) {
+                if steps >= left || interrupted() {
+                    break;
+                }
+                let (agree, cost) = exact.agree(&display, self.link);
+                steps += cost;
+                if agree {
                     passing.push(candidate);
                 }
             }
+            self.spent.work += steps;
         }
         passing
     }
