@@ -56,7 +56,7 @@ pub fn cost_of(class: EditClass) -> u32 {
 const SUBJECT: u32 = 60;
 
 /// How many nodes all edits of an equation put in together, at most.
-const ROOM: usize = 400_000;
+const ROOM: usize = 120_000;
 
 /// What the classes look at.
 pub(super) struct Scene<'a> {

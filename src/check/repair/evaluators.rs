@@ -162,8 +162,11 @@ impl<'m> Checker<'m> {
     }
 
     /// The same with its own reserve of letters for functions, and the images of all letters at a
-    /// random point; names have their exact values there.
-    pub(super) fn modulo_prime(&self) -> (Evaluator<'m, PrimeField>, Exact<'m>, Rc<Images>) {
+    /// random point, of which there are many; names have their exact values there.
+    pub(super) fn modulo_prime(
+        &self,
+        point: u64,
+    ) -> (Evaluator<'m, PrimeField>, Exact<'m>, Rc<Images>) {
         let model = self.model;
         let table = model.functions.as_ref().map(FunctionTable::forked);
         let mut exact = self.exact.anew();
@@ -172,7 +175,7 @@ impl<'m> Checker<'m> {
         }
         let exact = Rc::new(RefCell::new(exact));
         let letters = model.letters.len();
-        let images = Rc::new(Images::new(letters, &self.inserted, table));
+        let images = Rc::new(Images::new(letters, &self.inserted, table, point));
         let at = Rc::clone(&images);
         let image = move |value: &RationalFunction, _: &[u64]| at.image(value);
         let point = images.point().to_vec();

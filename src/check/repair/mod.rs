@@ -9,6 +9,7 @@
 //! The number of candidates is bounded, and so is the work that is done for them all, in steps; no clock
 //! decides. The candidates are sifted on several threads; how many changes nothing but the time.
 
+mod changed;
 mod definitions;
 mod evaluators;
 mod images;
@@ -19,6 +20,7 @@ mod preferred;
 mod rejected;
 mod residue;
 mod saying;
+mod sift;
 mod sites;
 mod solved;
 mod store;
@@ -152,12 +154,11 @@ impl<'m> Checker<'m> {
         let rows = edit::braces_under_all_rows(&display, link.right);
         let singles = edit::singles(&display, &places, &context);
         let mut trial = Trial::new(self, &display, link, limit);
-        let mut first: Vec<Candidate> = Vec::new();
-        if !rows.is_empty() {
-            first.push(Candidate::repeated(rows.iter().collect()));
-        }
-        first.extend(singles.iter().map(Candidate::single));
-        let mut passing = trial.passing(first);
+        let first = usize::from(!rows.is_empty());
+        let mut passing = trial.passing(first + singles.len(), |k| match k.checked_sub(first) {
+            Some(k) => Candidate::single(&singles[k]),
+            None => Candidate::repeated(rows.iter().collect()),
+        });
         passing.extend(trial.solved(&context));
         let mut best = Best::default();
         let found = self.prove(equation, link, passing, &singles, &mut trial);
@@ -176,11 +177,11 @@ impl<'m> Checker<'m> {
                     let class: Vec<&Replacement> =
                         singles.iter().filter(|r| r.class == class).collect();
                     let sets = combinations(&class, size, REPEATED);
-                    repeated.extend(sets.into_iter().map(Candidate::repeated));
+                    repeated.extend(sets);
                 }
             }
         }
-        let passing = trial.passing(repeated);
+        let passing = trial.passing(repeated.len(), |k| Candidate::repeated(repeated[k].clone()));
         let found = self.prove(equation, link, passing, &singles, &mut trial);
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);

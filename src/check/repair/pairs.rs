@@ -7,9 +7,10 @@
 //! pairs. Below a matrix product, a running sum or a function nothing is needed in particular;
 //! pairs in such places are evaluated one by one, as far as they cost no more than what is known by then.
 
+use super::changed::Put;
 use super::needed::Walk;
 use super::residue::{Residue, compared};
-use super::sites::{Put, Trial};
+use super::sites::Trial;
 use super::store::Id;
 use super::{Candidate, SECOND_SLIP, edited};
 use crate::check::edit::{Address, Replacement};
@@ -72,7 +73,7 @@ impl Trial<'_, '_> {
         found.sort_by_key(|candidate| candidate.cost);
         found.dedup_by(|one, other| one.cost == other.cost && same_edits(one, other));
         found.truncate(FOUND);
-        self.sifted(found, Vec::new())
+        self.sifted(&found)
     }
 
     /// With one edit made, the edits that do in its place or another, and how many were looked at.
@@ -196,8 +197,8 @@ impl Trial<'_, '_> {
             steps: vec![apart[*i].1.clone(), apart[*j].1.clone()],
             cost: cost + SECOND_SLIP,
         });
-        let found = found.collect();
-        self.sifted(found, Vec::new())
+        let found: Vec<Candidate> = found.collect();
+        self.sifted(&found)
     }
 
     /// The nodes of what some edits put in, each once.

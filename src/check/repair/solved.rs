@@ -109,7 +109,7 @@ impl Trial<'_, '_> {
             }
         }
         found.sort_by_key(|c| c.cost);
-        self.sifted(found, Vec::new())
+        self.sifted(&found)
     }
 
     fn printed(&mut self, address: &Address) -> Option<u64> {
