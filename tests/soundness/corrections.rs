@@ -18,7 +18,7 @@ use rederive::document::VerdictWord;
 use rederive::expr::{Display, Expr, ExprKind, Function, Sign};
 use rederive::latex;
 use rederive::model::links::{Link, Place, children};
-use rederive::verdict::{Outcome, Verdict};
+use rederive::verdict::{Ended, Outcome, Verdict};
 use std::collections::BTreeMap;
 
 /// A small generator of random numbers (SplitMix64).
@@ -500,7 +500,7 @@ fn what_cannot_be_mended_gets_no_empty_correction() {
         }
     }
     assert!(claims.labels.len() >= 200);
-    let audit = claims.audit(3_000);
+    let audit = claims.audit(1_500);
     judge(&audit, &mut random, &mut counts);
     println!(
         "{} claims, {} misprints, {} refuted, {} proposals",
@@ -655,7 +655,7 @@ fn slips(residual: bool, seed: u64, rounds: usize) {
                 });
             }
         }
-        let audit = claims.audit(20_000);
+        let audit = claims.audit(6_000);
         judge(&audit, &mut random, &mut counts);
         for pair in claims.labels.chunks(2) {
             let outcomes = [&pair[0], &pair[1]].map(|label| {
@@ -706,12 +706,12 @@ fn slips(residual: bool, seed: u64, rounds: usize) {
 
 #[test]
 fn slips_in_identities_are_mended() {
-    slips(false, 5, 12);
+    slips(false, 5, 10);
 }
 
 #[test]
 fn slips_in_residuals_are_mended() {
-    slips(true, 6, 21);
+    slips(true, 6, 11);
 }
 
 /// A slip in a definition behind several residuals is found there.
@@ -727,7 +727,7 @@ fn slips_in_definitions_behind_residuals_are_found() {
         claims.add(&format!("s - {m}a - b^2 = 0"));
         claims.add(&format!("(s - b^2)c - {m}ac = 0"));
         claims.add(&format!("(s - {m}a)^2 - b^4 = 0"));
-        let audit = claims.audit(20_000);
+        let audit = claims.audit(6_000);
         let mut counts = Counts::default();
         judge(&audit, &mut random, &mut counts);
         assert!(counts.wrong.is_empty(), "{:#?}", counts.wrong);
@@ -792,4 +792,60 @@ fn the_end_of_a_limit_is_not_edited() {
         let found = matches!(outcome.verdict, Verdict::Misprint { .. });
         assert!(!found, "{outcome:?}");
     }
+}
+
+/// A false sum of so many terms.
+fn long_sum(terms: usize) -> Claims {
+    let mut random = Random(9);
+    let mut claims = Claims::new(&["a", "b", "c", "d"], &[]);
+    let mut sum = String::new();
+    for k in 0..terms {
+        let powers = ["a", "b", "c", "d"].map(|letter| match random.below(4) {
+            0 => String::new(),
+            n => format!("{letter}^{}", n + 1),
+        });
+        let sign = *random.pick(&["+", "-"]);
+        let sign = if k == 0 { "" } else { sign };
+        sum += &format!("{sign} {}{} ", random.from(2, 99), powers.concat());
+    }
+    claims.add(&format!("{sum} = (a + b + c + d)^3"));
+    claims
+}
+
+/// The budget is work: it ends the search in a long sum, after the same candidates on any number of
+/// threads, and says after how many of how many.
+#[test]
+fn a_search_ends_with_its_work() {
+    let searched = |threads: usize, work: u64| {
+        let options = Options {
+            work,
+            threads,
+            ..Options::default()
+        };
+        let audit = audit(&long_sum(60).text, options).expect("an audit");
+        let Verdict::Refuted(refutation) = &audit.outcomes[0].verdict else {
+            panic!("a correction of a sum that has none");
+        };
+        refutation.searched.expect("how far it was looked for")
+    };
+    let one = searched(1, 400_000);
+    assert_eq!(one.ended, Some(Ended::Work));
+    assert!(one.tried < one.of && one.tried > 100, "{one:?}");
+    assert_eq!(one, searched(2, 400_000));
+    assert_eq!(one, searched(3, 400_000));
+    assert!(searched(1, 800_000).tried > one.tried);
+}
+
+/// A quotient with cosines was multiplied out for each candidate.
+#[test]
+fn functions_are_not_multiplied_out_for_each_candidate() {
+    let define = ["p = 8a + 3b\\cos(x - y)", "q = 2b + 3a\\cos(x - y)"];
+    let mut claims = Claims::new(&["a", "b", "x", "y"], &define);
+    claims.add("b = \\frac{2q - 3\\cos(x - y)p}{16 - 9\\cos^2(x - y)}");
+    let audit = claims.audit(20_000);
+    let last = audit.outcomes.last().expect("an outcome");
+    let Verdict::Misprint { correction, .. } = &last.verdict else {
+        panic!("{:?}", last.verdict.word());
+    };
+    assert_eq!(correction.edits[0].corrected, "8q");
 }

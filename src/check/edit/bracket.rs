@@ -41,7 +41,7 @@ type Forms = Vec<(Expr, u32)>;
 
 /// How many neighbours of a term come into a bracket, or leave one, at most: a bracket around more of a
 /// long sum is no slip of the hand.
-const REACH: usize = 16;
+const REACH: usize = 6;
 
 fn of_sum(terms: &[(Sign, Expr)], span: Span) -> Vec<(Change, u32)> {
     let mut found = Vec::new();

@@ -128,6 +128,26 @@ impl Trial<'_, '_> {
         self.store.evaluated(&side, self.env)
     }
 
+    /// The value of a subexpression that is no operation, with the edits below it made.
+    fn value_of_changed(&mut self, spot: usize, puts: &[Put<'_>]) -> Residue {
+        let (address, end) = (&self.spots[spot].address, self.spots[spot].end);
+        let Some(printed) = address.find(self.display) else {
+            return Residue::Unknown;
+        };
+        let mut changed = printed.clone();
+        for put in puts.iter().filter(|put| (spot..end).contains(&put.spot)) {
+            let below = Address {
+                place: address.place,
+                path: put.edit.address.path[address.path.len()..].to_vec(),
+            };
+            if let Some(expr) = below.below(&mut changed) {
+                put.edit.change.apply(expr);
+            }
+        }
+        let id = self.store.node(&changed);
+        self.store.value(id, self.env)
+    }
+
     /// The value of a printed subexpression with other nodes put in some places below it; none where
     /// only the whole expression tells.
     fn value_with(&mut self, spot: usize, puts: &[Put<'_>]) -> Option<Residue> {
@@ -143,11 +163,11 @@ impl Trial<'_, '_> {
             return self.value_with(*here.children.first()?, puts);
         }
         let shape = self.store.shape(here.id);
-        // An exponent is no operand.
+        // An exponent, or what a function stands before, is no operand: that subexpression is evaluated.
         if let Some(next) = here.children.get(shape.operands())
             && inside(*next)
         {
-            return None;
+            return Some(self.value_of_changed(spot, puts));
         }
         let mut told = true;
         let residue = operation(&shape, &mut |k, _| {

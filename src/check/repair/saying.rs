@@ -88,17 +88,19 @@ pub(super) fn emptied(
     if several && loses_content(&before, &after, candidate) {
         return Some(Emptied::Lost);
     }
-    // Each edit is needed: one that is not was put in beside another that says nothing alone.
-    if several {
-        let steps = &candidate.steps;
-        for k in 0..steps.len() {
-            let mut fewer = steps.clone();
-            fewer.remove(k);
-            let alone = (steps.len() > 2).then(|| vec![steps[k].clone()]);
-            for some in std::iter::once(fewer).chain(alone) {
-                if trial.told(&some) == Some(true) {
-                    return Some(Emptied::Superfluous);
-                }
+    // Each edit of the sides is needed: one that is not was put in beside another that says nothing alone.
+    let here: Vec<_> = candidate
+        .steps
+        .iter()
+        .filter(|step| [link.left, link.right].contains(&step.address.place))
+        .cloned()
+        .collect();
+    if here.len() > 1 {
+        for k in 0..here.len() {
+            let mut fewer = here.clone();
+            let alone = vec![fewer.remove(k)];
+            if trial.told(&fewer) == Some(true) || trial.told(&alone) == Some(true) {
+                return Some(Emptied::Superfluous);
             }
         }
     }
