@@ -38,6 +38,11 @@ impl Watch for Unwatched {
 /// Whether Ctrl-C was pressed.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// Whether a long search shall end with what it has: it is asked within it, far oftener than once a second.
+pub fn interrupted() -> bool {
+    INTERRUPTED.load(Ordering::Relaxed)
+}
+
 /// The exit code of an interrupted run: 128 and the number of the signal.
 pub const INTERRUPTED_CODE: u8 = 130;
 

@@ -11,8 +11,8 @@ pub mod statement;
 pub use certificate::{Certificate, Proof};
 pub use correction::{Changed, Correction, Edit, EditClass, Preferred, Proposal, Rejected};
 pub use refutation::{
-    CounterProof, Misfit, Part, PointValue, Refutation, Searched, Shown, SignCondition, Structure,
-    Witness,
+    CounterProof, Ended, Misfit, Part, PointValue, Refutation, Searched, Shown, SignCondition,
+    Structure, Witness,
 };
 
 use crate::document::VerdictWord;

@@ -161,9 +161,9 @@ fn sample(edits: &[Replacement]) -> Vec<&Replacement> {
     let chosen: BTreeSet<_> = by_class
         .into_values()
         .flat_map(spread)
-        .map(|e| (e.address, format!("{:?}", e.kind)))
+        .map(|e| (e.address, format!("{:?}", e.change)))
         .collect();
-    let is = |e: &&Replacement| chosen.contains(&(e.address.clone(), format!("{:?}", e.kind)));
+    let is = |e: &&Replacement| chosen.contains(&(e.address.clone(), format!("{:?}", e.change)));
     edits.iter().filter(is).collect()
 }
 
@@ -180,7 +180,8 @@ fn leads_back(original: &Display, damaged: &Display, link: &Link, context: &Cont
 /// in a list that knows only what is printed: the search solves for it instead.
 fn loses(edit: &Replacement, original: &Display, damaged: &Display, context: &Context) -> bool {
     let old = edit.address.find(original).expect("what is edited");
-    let new = Expr::new(edit.kind.clone(), old.span);
+    let new = edit.change.result(old).expect("what it is changed to");
+    let new = Expr::new(new, old.span);
     let after: Vec<String> = children(&new).into_iter().map(latex::write_expr).collect();
     let gone = match edit.class {
         EditClass::Letter => vec![old],

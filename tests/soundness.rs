@@ -13,3 +13,5 @@ mod limits;
 mod signs;
 #[path = "soundness/statements.rs"]
 mod statements;
+#[path = "soundness/corrections.rs"]
+mod corrections;

@@ -9,7 +9,7 @@ mod points;
 mod ways;
 
 use super::Checker;
-use super::edit::{Address, Replacement};
+use super::edit::{Address, Change, Replacement};
 use crate::evaluate::{Condition, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
@@ -63,8 +63,10 @@ impl Checker<'_> {
         };
         let residual = self.limit_residual(&flaw, &display, link);
         let refutation = Refutation::new(flaw).with_residual(residual);
-        // The other end is what is easily mistaken.
-        let Some(approach) = approach else {
+        // Where the argument that is printed goes elsewhere, the end is what was mistaken. Where the limit
+        // is another one, another end would make another statement of it.
+        let elsewhere = matches!(refutation.shown(), Shown::Structure(Structure::Elsewhere));
+        let Some(approach) = approach.filter(|_| elsewhere) else {
             return Verdict::Refuted(refutation);
         };
         let kind = match towards(&approach.goal) {
@@ -78,7 +80,7 @@ impl Checker<'_> {
                 path: Vec::new(),
             },
             class: EditClass::Limit,
-            kind,
+            change: Change::Whole(kind),
             cost: super::edit::cost_of(EditClass::Limit),
         };
         let mut corrected = display.clone();

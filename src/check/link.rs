@@ -2,7 +2,7 @@
 
 use super::challenge::is_decided_by_points;
 use super::identity::Decision;
-use super::{Checker, index_tuples};
+use super::{Checker, Told, index_tuples};
 use crate::domain::Domain;
 use crate::evaluate::{Failure, FailureKind};
 use crate::expr::{ExprKind, Relation};
@@ -257,6 +257,13 @@ impl Checker<'_> {
         let settings = &self.model.equations[equation].settings;
         if !self.options.repair || settings.instead.is_some() {
             return Verdict::Refuted(refutation);
+        }
+        if let Some(tell) = self.tell {
+            tell(Told {
+                equation,
+                member: link.member,
+                refutation: &refutation,
+            });
         }
         match self.search(equation, link, self.options.candidates) {
             Ok(correction) => {

@@ -37,7 +37,7 @@ use crate::expr::Display;
 use crate::model::{Letter, Model, Node};
 use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
-use crate::verdict::{Contradiction, Outcome, Verdict};
+use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
 use ratpoly::RationalFunction;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -50,6 +50,9 @@ pub struct Options {
     pub repair: bool,
     /// The largest number of candidates that the search looks at for one link.
     pub candidates: usize,
+    /// The most work that the search does for one link, in steps: operations on numbers, nodes of
+    /// expressions, and so many for each term of an exact value.
+    pub work: u64,
     /// How many threads sift candidates; the results do not depend on it.
     pub threads: usize,
 }
@@ -59,6 +62,7 @@ impl Default for Options {
         Options {
             repair: true,
             candidates: 2_000_000,
+            work: 30_000_000,
             threads: crate::stack::processors(),
         }
     }
@@ -77,6 +81,8 @@ pub struct Checker<'m> {
     readings: units::KnownReadings,
     /// Whether one slip in a definition is sought that explains several false claims.
     in_definitions: bool,
+    /// Who is told of what is false before its correction is searched for.
+    tell: Option<&'m Teller<'m>>,
     /// Why the last link that was looked at stayed undecided, where its evaluation failed.
     failure: Option<FailureKind>,
     /// How the program contradicted itself on the last link, if it did.
@@ -100,7 +106,35 @@ pub struct Verdicts {
 /// When evaluation shows that the document is unusable: shapes that do not fit, a divisor that is
 /// zero identically, an exponent beyond the limit.
 pub fn check(model: &Model, options: Options) -> Result<Verdicts, Vec<Diagnostic>> {
-    let mut verdicts = Checker::new(model, options)?.run()?;
+    check_telling(model, options, &|_| {})
+}
+
+/// A link that was found false, before a correction of it is searched for.
+#[derive(Clone, Copy, Debug)]
+pub struct Told<'r> {
+    /// The equation, as an index into the model.
+    pub equation: usize,
+    /// The link's number within it, from 1.
+    pub member: usize,
+    /// Why it is false.
+    pub refutation: &'r Refutation,
+}
+
+/// Who is told of what is found false.
+pub type Teller<'t> = dyn Fn(Told<'_>) + Sync + 't;
+
+/// The same, telling of each link that is false before the search for its correction begins.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_telling<'m>(
+    model: &'m Model,
+    options: Options,
+    tell: &'m Teller<'m>,
+) -> Result<Verdicts, Vec<Diagnostic>> {
+    let mut checker = Checker::new(model, options)?;
+    checker.tell = Some(tell);
+    let mut verdicts = checker.run()?;
     // A correction serves all instances: one of a definition that the first has none of serves none.
     let in_definitions = verdicts.links.iter().any(|outcome| {
         matches!(&outcome.verdict, Verdict::Misprint { correction, .. } if correction.definition.is_some())
@@ -108,6 +142,7 @@ pub fn check(model: &Model, options: Options) -> Result<Verdicts, Vec<Diagnostic
     for instance in 1..model.instances.len() {
         let mut checker = Checker::in_instance(model, options, instance)?;
         checker.in_definitions = in_definitions;
+        checker.tell = Some(tell);
         verdicts = instances::all(verdicts, checker.run()?);
     }
     Ok(verdicts)
@@ -156,6 +191,7 @@ impl<'m> Checker<'m> {
             diagnostics: Vec::new(),
             readings: Default::default(),
             in_definitions: true,
+            tell: None,
             failure: None,
             contradiction: None,
             prints: BTreeMap::new(),

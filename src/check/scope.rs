@@ -170,7 +170,7 @@ fn arguments(display: &Display, left: Place, refutation: &Refutation) -> Vec<Rep
                 path: vec![0],
             },
             class: EditClass::Letter,
-            kind: ExprKind::Name(name),
+            change: edit::Change::Whole(ExprKind::Name(name)),
             cost: edit::cost_of(EditClass::Letter),
         })
         .collect()

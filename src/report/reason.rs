@@ -8,7 +8,7 @@ use crate::report::formula::{Formulas, Script};
 use crate::report::prose::Prose;
 use crate::theory::limit::Limit;
 use crate::verdict::{
-    Correction, CounterProof, Edit, Given, GivenEntry, Misfit, Outcome, Part, PointValue,
+    Correction, CounterProof, Edit, Ended, Given, GivenEntry, Misfit, Outcome, Part, PointValue,
     PositiveBy, Positivity, Preferred, Refutation, ResidualEntry, Searched, Shown, SignCondition,
     Structure, Verdict, Witness,
 };
@@ -180,12 +180,7 @@ pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Pro
                 Some(Searched { budget: 0, .. }) => {
                     line.words("; no correction: the budget is empty")
                 }
-                Some(Searched { tried, budget }) if tried >= budget => line.words(format!(
-                    "; no correction within the budget of {budget} candidates"
-                )),
-                Some(Searched { tried, .. }) => {
-                    line.words(format!("; no correction among {tried} tried"))
-                }
+                Some(searched) => line.words(format!("; no correction{}", in_vain(&searched))),
                 None => line,
             }
         }
@@ -232,6 +227,25 @@ pub fn false_because(
             .then(where_it_holds(formulas, part));
     }
     line
+}
+
+/// How far a search went that found nothing.
+pub fn in_vain(searched: &Searched) -> String {
+    let Searched {
+        tried, of, empty, ..
+    } = searched;
+    let far = match searched.ended {
+        None => format!(" among {tried} tried"),
+        Some(Ended::Candidates | Ended::Work) => {
+            format!(": the budget was reached after {tried} of {of} candidates")
+        }
+        Some(Ended::Interrupted) => format!(": interrupted after {tried} of {of} candidates"),
+    };
+    match empty {
+        0 => far,
+        1 => format!("{far}; one makes it true and says nothing any more"),
+        _ => format!("{far}; {empty} make it true and say nothing any more"),
+    }
 }
 
 /// What a definition defines: a name, or in words what else it says.

@@ -68,9 +68,11 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
                 Some(Searched { budget: 0, .. }) => {
                     "No correction: the budget is empty.".to_string()
                 }
-                Some(Searched { tried, budget }) => format!(
-                    "None of {tried} candidates makes it true: single edits, repeated slips, pairs \
-                     of edits, and edits of what it rests on (the budget was {budget})."
+                Some(searched) => format!(
+                    "No correction{}. Tried were single edits, repeated slips, pairs of edits, and \
+                     edits of what it rests on (the budget was {}).",
+                    super::reason::in_vain(&searched),
+                    searched.budget
                 ),
                 None if refutation.part.is_some() => {
                     "It lacks a hypothesis, and no correction was looked for.".to_string()

@@ -163,8 +163,25 @@ impl Refutation {
 pub struct Searched {
     /// Tried.
     pub tried: usize,
+    /// How many there were, as far as they had been listed when the search ended.
+    pub of: usize,
     /// The most.
     pub budget: usize,
+    /// What ended the search before all were tried, if anything did.
+    pub ended: Option<Ended>,
+    /// How many make it true and say less than the print, such as both sides the same.
+    pub empty: usize,
+}
+
+/// What ends a search before all candidates are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// The number of candidates.
+    Candidates,
+    /// The work in steps.
+    Work,
+    /// Whoever started it.
+    Interrupted,
 }
 
 /// Where an equation or inequality is true that is false elsewhere.

@@ -2,7 +2,7 @@
 //! a slash or a root.
 
 use super::build::{factors, group, inside, product, quotient, sum, terms, times};
-use super::{Replacement, Scene};
+use super::{Change, Replacement, Scene};
 use crate::expr::{Expr, ExprKind, Sign};
 use crate::span::Span;
 use crate::verdict::EditClass;
@@ -15,7 +15,13 @@ pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
         }
         let span = site.expr.span;
         let forms = match &site.expr.kind {
-            ExprKind::Sum(terms) => of_sum(terms, span),
+            ExprKind::Sum(terms) => {
+                let edits = of_sum(terms, span).into_iter().map(|(change, rare)| {
+                    Replacement::of(site, EditClass::Bracket, change).rarer(rare)
+                });
+                found.extend(edits);
+                continue;
+            }
             ExprKind::Product(items) => of_product(items, span),
             ExprKind::Quotient { .. } => of_quotient(site.expr),
             ExprKind::Call { .. } => of_call(site.expr),
@@ -33,49 +39,43 @@ type Terms = Vec<(Sign, Expr)>;
 /// Other forms, and how much rarer each is.
 type Forms = Vec<(Expr, u32)>;
 
-/// Terms from `from` to `to` (exclusive) replaced by others.
-fn spliced(terms: &[(Sign, Expr)], from: usize, to: usize, by: Terms, span: Span) -> Expr {
-    let mut all = terms[..from].to_vec();
-    all.extend(by);
-    all.extend(terms[to..].to_vec());
-    sum(all, span)
-}
+/// How many neighbours of a term come into a bracket, or leave one, at most: a bracket around more of a
+/// long sum is no slip of the hand.
+const REACH: usize = 6;
 
-fn of_sum(terms: &[(Sign, Expr)], span: Span) -> Forms {
+fn of_sum(terms: &[(Sign, Expr)], span: Span) -> Vec<(Change, u32)> {
     let mut found = Vec::new();
+    let spliced = |from, to, by| Change::of_terms(terms, from, to, by);
     for (k, (sign, term)) in terms.iter().enumerate() {
         // A term of which a part leaves its bracket, bar or root: a(b + c) for ab + c.
         for (opened, rare) in opened(term) {
             let by = with_first_sign(opened, *sign);
-            found.push((spliced(terms, k, k + 1, by, span), rare));
+            found.push((spliced(k, k + 1, by), rare));
         }
+        let last = terms.len().min(k + REACH);
         // The neighbour on the right comes into its last bracket, bar or root: ab + c for a(b + c).
-        for to in k + 2..=terms.len() {
+        for to in k + 2..=last {
             for (closed, rare) in swallowed(term, &terms[k + 1..to]) {
                 let rare = rare + u32::from(to < terms.len());
-                found.push((spliced(terms, k, to, vec![(*sign, closed)], span), rare));
+                found.push((spliced(k, to, vec![(*sign, closed)]), rare));
             }
         }
         // The neighbours on the left come into its first: a + bc for (a + b)c.
-        for from in 0..k {
+        for from in k.saturating_sub(REACH)..k {
             let before = terms[from].0;
             for (closed, rare) in swallowed_before(term, &terms[from..k], *sign) {
                 let rare = rare + u32::from(from > 0);
-                found.push((
-                    spliced(terms, from, k + 1, vec![(before, closed)], span),
-                    rare,
-                ));
+                found.push((spliced(from, k + 1, vec![(before, closed)]), rare));
             }
         }
         // -(a - b) for -a - b: a bracket after a minus that ends too late or too early.
         if *sign == Sign::Minus {
-            for to in k + 2..=terms.len() {
+            for to in k + 2..=last {
                 let mut held = terms[k..to].to_vec();
                 held[0].0 = Sign::Plus;
                 let bracket = group(sum(held, span));
                 let rare = u32::from(to < terms.len());
-                let by = vec![(Sign::Minus, bracket)];
-                found.push((spliced(terms, k, to, by, span), rare));
+                found.push((spliced(k, to, vec![(Sign::Minus, bracket)]), rare));
             }
         }
     }

@@ -25,26 +25,26 @@ pub fn same_reading(one: &Display, other: &Display, link: &Link) -> bool {
     })
 }
 
-/// Whether both sides of a link are the same monomials.
-pub fn is_restatement(display: &Display, link: &Link) -> bool {
-    match (link.left.find(display), link.right.find(display)) {
-        (Some(left), Some(right)) => same_form(left, right),
-        _ => false,
-    }
+/// How many subexpressions are sums that are zero by their form alone, such as `x - x`.
+pub fn zeros(expr: &Expr) -> usize {
+    let mut count = 0;
+    visit(expr, &mut |e| {
+        let sum = matches!(e.kind, ExprKind::Sum(_));
+        count += usize::from(sum && form(e).is_empty());
+    });
+    count
 }
 
-/// How many subexpressions of the sides are zero by their form alone, such as `x - x`.
-pub fn zeros(display: &Display, link: &Link) -> usize {
-    let mut count = 0;
-    for side in [link.left, link.right] {
-        if let Some(expr) = side.find(display) {
-            visit(expr, &mut |e| {
-                let sum = matches!(e.kind, ExprKind::Sum(_));
-                count += usize::from(sum && form(e).is_empty());
-            });
-        }
-    }
-    count
+/// Whether an expression is zero by its form alone.
+pub fn vanishes(expr: &Expr) -> bool {
+    form(expr).is_empty()
+}
+
+/// The monomial that an expression is, without its number; none where it is a sum of several or zero.
+pub(super) fn monomial_of(expr: &Expr) -> Option<String> {
+    let mut monomials = form(expr).into_keys();
+    let only = monomials.next()?;
+    monomials.next().is_none().then_some(only)
 }
 
 /// Monomials by their text, with their coefficients; none is zero.
@@ -143,7 +143,7 @@ impl Monomial {
 }
 
 /// Whether something bold occurs: such factors keep their order.
-fn is_ordered(expr: &Expr) -> bool {
+pub(super) fn is_ordered(expr: &Expr) -> bool {
     let mut found = false;
     visit(expr, &mut |e| {
         found |= match &e.kind {

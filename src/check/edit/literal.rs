@@ -44,14 +44,36 @@ fn literals(site: &Site<'_>) -> Vec<Replacement> {
     }
     // A sum's limits are whole numbers.
     let whole = site.is_count();
+    // A factor 1 or a divisor 1 is not written: there the number is left out. A factor 0 is no slip.
+    let (factor, divisor) = match site.parent.map(|p| &p.kind) {
+        Some(ExprKind::Product(_)) => (true, false),
+        Some(ExprKind::Quotient { .. }) => (site.step() == 0, site.step() == 1),
+        _ => (false, false),
+    };
+    let product = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Product(_)));
+    let unwritten = |other: &BigRational| {
+        (factor || divisor) && other.is_zero() || (product || divisor) && other.is_one()
+    };
     others
         .into_iter()
-        .filter(|(other, _)| !whole || other.is_integer())
+        .filter(|(other, _)| (!whole || other.is_integer()) && !unwritten(other))
         .map(|(other, rare)| {
             let edit = Replacement::new(site, EditClass::Factor, rational(other, site.expr.span));
             edit.rarer(rare)
         })
         .collect()
+}
+
+/// How much rarer than another number it is that a factor is left out: as rare as the 1 that it would be.
+pub(super) fn left_out(number: &BigRational) -> u32 {
+    let is = |n: i64| *number == BigRational::from_integer(n.into());
+    if is(2) || is(0) {
+        0
+    } else if is(10) {
+        2
+    } else {
+        3
+    }
 }
 
 /// A number with one digit less, or with two neighbouring digits exchanged.

@@ -1,6 +1,6 @@
 //! Braces that stand under the last of several rows and belong under all of them.
 
-use super::{Address, Replacement};
+use super::{Address, Change, Replacement};
 use crate::expr::{Bracket, Display, ExprKind};
 use crate::model::links::Place;
 use crate::verdict::EditClass;
@@ -32,10 +32,10 @@ pub fn braces_under_all_rows(display: &Display, place: Place) -> Vec<Replacement
                 address: Address::of_side(Place::Body { clause, brace }),
                 class: EditClass::Bracket,
                 cost: BRACE,
-                kind: ExprKind::Matrix {
+                change: Change::Whole(ExprKind::Matrix {
                     rows: above.chain([(**body).clone()]).map(|e| vec![e]).collect(),
                     bracket: Bracket::Square,
-                },
+                }),
             });
         }
         crate::model::links::visit(member, &mut |e| {

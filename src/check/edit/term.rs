@@ -3,6 +3,7 @@
 //! instead is in `solved`.
 
 use super::build::{factor, factors, number, product, quotient, sum, terms};
+use super::literal::left_out;
 use super::mark::may_be_matrix;
 use super::{Kind, Replacement, Scene, Site, name_of};
 use crate::expr::{Expr, ExprKind, QuotientStyle, Sign};
@@ -48,11 +49,11 @@ fn dropped(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
             for k in 0..items.len() {
                 let mut fewer = items.clone();
                 let gone = fewer.remove(k);
-                let class = match gone.kind {
-                    ExprKind::Number(_) => EditClass::Factor,
-                    _ => EditClass::Term,
+                let (class, rare) = match &gone.kind {
+                    ExprKind::Number(n) => (EditClass::Factor, left_out(n)),
+                    _ => (EditClass::Term, 3),
                 };
-                found.push(Replacement::new(site, class, product(fewer, span)).rarer(3));
+                found.push(Replacement::new(site, class, product(fewer, span)).rarer(rare));
             }
             // 2π is gained and lost as one.
             let circle = |e: &Expr| name_of(e).is_some_and(|n| scene.context.is_pi(n));
@@ -69,11 +70,11 @@ fn dropped(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
             denominator,
             style,
         } => {
-            let class = match denominator.kind {
-                ExprKind::Number(_) => EditClass::Factor,
-                _ => EditClass::Term,
+            let (class, rare) = match &denominator.kind {
+                ExprKind::Number(n) => (EditClass::Factor, left_out(n)),
+                _ => (EditClass::Term, 3),
             };
-            found.push(Replacement::new(site, class, factor((**numerator).clone())).rarer(3));
+            found.push(Replacement::new(site, class, factor((**numerator).clone())).rarer(rare));
             if !super::build::is_one(numerator) {
                 let one = number(1, numerator.span);
                 let reciprocal = quotient(one, (**denominator).clone(), *style, span);

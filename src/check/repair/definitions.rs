@@ -11,6 +11,7 @@ use super::super::identity::Decision;
 use super::evaluators::holds_modulo;
 use super::images::SplitMix;
 use super::parallel::{Blocks, Seed};
+use super::work::Spent;
 use super::{Found, described};
 use crate::domain::{PRIME, PrimeField};
 use crate::evaluate::Evaluator;
@@ -23,6 +24,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// How many edited definitions are evaluated: each costs everything that rests on it.
 const EDITED: usize = 4_000;
+
+/// Steps for each node of the document in which an edited definition is tried.
+const PER_NODE: u64 = 4;
 
 /// From how many on they are tried on several threads.
 const MANY: usize = 200;
@@ -88,13 +92,14 @@ impl<'m> Checker<'m> {
         &mut self,
         equation: usize,
         link: &Link,
-        mut tried: usize,
-        budget: usize,
+        spent: &mut Spent,
+        limit: Spent,
         among: Option<&BTreeSet<usize>>,
     ) -> Option<Found> {
         let model = self.model;
-        // Functions have no values of their own modulo the prime.
-        if model.functions.is_some() || !model.equations[equation].assume.is_empty() {
+        // What holds under hypotheses of its own says nothing of a definition. A claim with functions
+        // has no value modulo the prime and is then not mended so.
+        if !model.equations[equation].assume.is_empty() {
             return None;
         }
         let context = edit::Context::of(model);
@@ -110,7 +115,11 @@ impl<'m> Checker<'m> {
             candidates.extend(singles.into_iter().map(|r| (definition, r)));
         }
         candidates.sort_by_key(|(_, replacement)| replacement.cost);
-        candidates.truncate(EDITED.min(budget.saturating_sub(tried)));
+        // Each costs everything that rests on it.
+        let price = self.price_of_document();
+        let left = limit.less(*spent);
+        let most = usize::try_from(left.work / price).unwrap_or(usize::MAX);
+        candidates.truncate(EDITED.min(left.tried).min(most));
         let seed = Seed::of(self);
         let claim = (equation, *link);
         let start = || Bench::new(seed.checker());
@@ -126,10 +135,16 @@ impl<'m> Checker<'m> {
         };
         // Up to the first that passes, then the others at its cost.
         let first = blocks(candidates.len()).run(
-            1,
+            Spent {
+                tried: 1,
+                work: u64::MAX,
+            },
             start,
             |bench, range| range.map(|k| judge(bench, k)).collect::<Vec<bool>>(),
-            |mends| usize::from(mends.contains(&true)),
+            |mends: &Vec<bool>| Spent {
+                tried: usize::from(mends.contains(&true)),
+                work: 0,
+            },
         );
         let mut mends: Vec<bool> = first.concat();
         if let Some(k) = mends.iter().position(|m| *m) {
@@ -139,15 +154,20 @@ impl<'m> Checker<'m> {
             mends.truncate(end);
             if done < end {
                 let rest = blocks(end - done).run(
-                    usize::MAX,
+                    Spent {
+                        tried: usize::MAX,
+                        work: u64::MAX,
+                    },
                     start,
                     |bench, range| range.map(|k| judge(bench, done + k)).collect::<Vec<bool>>(),
-                    |_| 0,
+                    |_| Spent::default(),
                 );
                 mends.extend(rest.concat());
             }
         }
-        tried += mends.len();
+        spent.tried += mends.len();
+        spent.work += price * mends.len() as u64;
+        let tried = spent.tried;
         let judged = candidates.into_iter().zip(mends);
         let passing: Vec<(usize, Replacement)> = judged
             .filter(|(_, mends)| *mends)
@@ -212,7 +232,7 @@ impl<'m> Checker<'m> {
             given: None,
             proof,
             tried,
-            budget,
+            budget: limit.tried,
             alternatives,
             others: Vec::new(),
             preferred,
@@ -227,7 +247,7 @@ impl<'m> Checker<'m> {
         let model = self.model;
         let budget = self.options.candidates;
         let sought = self.options.repair && self.in_definitions && budget > 0;
-        if !sought || model.functions.is_some() {
+        if !sought {
             return;
         }
         let is_false = |outcome: &Outcome| match &outcome.verdict {
@@ -260,7 +280,13 @@ impl<'m> Checker<'m> {
             let own = self.exact.display(equation).clone();
             self.exact
                 .correct(equation, model.equations[equation].display.clone());
-            match self.by_definition(equation, &link, 0, budget, Some(&among)) {
+            let limit = Spent {
+                tried: budget,
+                work: self.options.work,
+            };
+            let found =
+                self.by_definition(equation, &link, &mut Spent::default(), limit, Some(&among));
+            match found {
                 Some(correction) => {
                     if let Some((definition, display)) = &correction.definition {
                         self.exact.correct(*definition, display.clone());
@@ -338,6 +364,15 @@ impl<'m> Checker<'m> {
                 }
             }
         }
+    }
+
+    /// What it costs to compute the whole document once modulo the prime.
+    fn price_of_document(&self) -> u64 {
+        let mut nodes = 0;
+        for equation in &self.model.equations {
+            crate::model::links::each_expression(&equation.display, &mut |_| nodes += 1);
+        }
+        PER_NODE * (nodes + 1)
     }
 
     /// Computes all abbreviations anew from the definitions as corrected.

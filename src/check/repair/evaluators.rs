@@ -2,6 +2,7 @@
 
 use super::images::Images;
 use super::residue::same;
+use super::work;
 use crate::check::Checker;
 use crate::check::sides::sides_of;
 use crate::domain::{Domain, PrimeField, Symbolic};
@@ -74,12 +75,19 @@ impl<'m> ExactFilter<'m> {
         }
     }
 
-    /// Whether the sides agree, with the definitions inserted.
-    pub fn agree(&mut self, display: &Display, link: &Link) -> bool {
-        let printed = self.checked.model().functions.as_ref();
-        let Some(table) = printed else {
-            return false;
-        };
+    /// Whether the sides agree, with the definitions inserted, and what it cost to tell.
+    pub fn agree(&mut self, display: &Display, link: &Link) -> (bool, u64) {
+        let sides = [link.left, link.right].into_iter();
+        let mut steps = sides
+            .filter_map(|place| place.find(display))
+            .map(work::evaluated)
+            .sum();
+        let agree = self.agreeing(display, link, &mut steps);
+        (agree.unwrap_or(false), steps)
+    }
+
+    fn agreeing(&mut self, display: &Display, link: &Link, steps: &mut u64) -> Option<bool> {
+        let table = self.checked.model().functions.as_ref()?;
         let enough = |fork: &FunctionTable| 2 * fork.remaining() > table.remaining();
         if !self.table.as_ref().is_some_and(enough) {
             let fork = table.forked();
@@ -87,26 +95,28 @@ impl<'m> ExactFilter<'m> {
             self.fork.field = Symbolic::with_functions(fork.clone());
             self.table = Some(fork);
         }
-        let Some(table) = &self.table else {
-            return false;
+        let table = self.table.as_ref()?;
+        let pairs = sides_of(&mut self.fork, display, link, Span::default()).ok()?;
+        for (_, left, right) in &pairs {
+            *steps += work::exact(left.entries().into_iter().chain(right.entries()));
+        }
+        let mut image = |value: &RationalFunction| {
+            let image = table.substitute(value, &self.inserted).ok();
+            *steps += work::exact(&image);
+            image
         };
-        let image = |value: &RationalFunction| table.substitute(value, &self.inserted).ok();
-        let equal = |left: &RationalFunction, right: &RationalFunction| {
-            left == right || image(left).is_some() && image(left) == image(right)
+        let mut equal = |left: &RationalFunction, right: &RationalFunction| {
+            left == right || {
+                let left = image(left);
+                left.is_some() && left == image(right)
+            }
         };
-        sides_of(&mut self.fork, display, link, Span::default()).is_ok_and(|pairs| {
-            pairs.iter().all(|(_, left, right)| {
-                let zero = |v: &Value<RationalFunction>| v.entries().iter().all(|e| e.is_zero());
-                let shapes = left.shape() == right.shape();
-                zero(left) && zero(right)
-                    || shapes
-                        && left
-                            .entries()
-                            .into_iter()
-                            .zip(right.entries())
-                            .all(|(l, r)| equal(l, r))
-            })
-        })
+        Some(pairs.iter().all(|(_, left, right)| {
+            let zero = |v: &Value<RationalFunction>| v.entries().iter().all(|e| e.is_zero());
+            let shapes = left.shape() == right.shape();
+            let entries = left.entries().into_iter().zip(right.entries());
+            zero(left) && zero(right) || shapes && entries.into_iter().all(|(l, r)| equal(l, r))
+        }))
     }
 }
 
@@ -152,8 +162,11 @@ impl<'m> Checker<'m> {
     }
 
     /// The same with its own reserve of letters for functions, and the images of all letters at a
-    /// random point; names have their exact values there.
-    pub(super) fn modulo_prime(&self) -> (Evaluator<'m, PrimeField>, Exact<'m>, Rc<Images>) {
+    /// random point, of which there are many; names have their exact values there.
+    pub(super) fn modulo_prime(
+        &self,
+        point: u64,
+    ) -> (Evaluator<'m, PrimeField>, Exact<'m>, Rc<Images>) {
         let model = self.model;
         let table = model.functions.as_ref().map(FunctionTable::forked);
         let mut exact = self.exact.anew();
@@ -162,7 +175,7 @@ impl<'m> Checker<'m> {
         }
         let exact = Rc::new(RefCell::new(exact));
         let letters = model.letters.len();
-        let images = Rc::new(Images::new(letters, &self.inserted, table));
+        let images = Rc::new(Images::new(letters, &self.inserted, table, point));
         let at = Rc::clone(&images);
         let image = move |value: &RationalFunction, _: &[u64]| at.image(value);
         let point = images.point().to_vec();

@@ -34,13 +34,14 @@ pub(super) struct Images {
 }
 
 impl Images {
-    /// A random point with these definitions inserted.
+    /// One of the random points, with these definitions inserted.
     pub fn new(
         letters: usize,
         inserted: &BTreeMap<usize, RationalFunction>,
         table: Option<FunctionTable>,
+        point: u64,
     ) -> Self {
-        let seed = 0x9E37_79B9_7F4A_7C15;
+        let seed = 0x9E37_79B9_7F4A_7C15 ^ point.wrapping_mul(0xD1B5_4A32_D192_ED03);
         let mut random = SplitMix(seed);
         let mut images = Images {
             table,

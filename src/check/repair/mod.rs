@@ -6,9 +6,10 @@
 //! true as a formula passes, a false one passes with negligible probability, and what passes is
 //! then proved over the rational functions like any other claim.
 //!
-//! The number of candidates is bounded, and no clock decides. The candidates are sifted on several
-//! threads; how many changes nothing but the time.
+//! The number of candidates is bounded, and so is the work that is done for them all, in steps; no clock
+//! decides. The candidates are sifted on several threads; how many changes nothing but the time.
 
+mod changed;
 mod definitions;
 mod evaluators;
 mod images;
@@ -18,21 +19,26 @@ mod parallel;
 mod preferred;
 mod rejected;
 mod residue;
+mod saying;
+mod sift;
 mod sites;
 mod solved;
 mod store;
+mod work;
 
 use super::Checker;
-use super::edit::{self, Replacement, form};
+use super::edit::{self, Replacement};
 use super::identity::Decision;
-use crate::expr::{Display, ExprKind, Name};
+use crate::expr::Display;
 use crate::latex;
 use crate::model::links::Link;
+use crate::progress::interrupted;
 use crate::verdict::{
-    Changed, Correction, Edit, EditClass, Given, Preferred, Proof, Proposal, Searched,
+    Changed, Correction, Edit, EditClass, Ended, Given, Preferred, Proof, Proposal, Searched,
 };
 use sites::Trial;
 use std::collections::BTreeSet;
+use work::Spent;
 
 /// How many candidates that the filter cannot judge are evaluated exactly.
 const EXACTLY: usize = 400;
@@ -40,11 +46,14 @@ const EXACTLY: usize = 400;
 /// How many candidates that passed the filter are proved, the cheapest first.
 const PASSING: usize = 48;
 
+/// Steps for a proof beside those for its terms.
+const PROOF: u64 = 1_000;
+
 /// How many corrections beside the first are reported.
 const OTHERS: usize = 12;
 
 /// How many combinations of one slip repeated are tried for each number of repetitions.
-const REPEATED: usize = 20_000;
+const REPEATED: usize = 5_000;
 
 /// What a pair of edits costs more than its parts: two slips are rarer than one.
 const SECOND_SLIP: u32 = 40;
@@ -121,7 +130,8 @@ struct Proved {
 }
 
 impl<'m> Checker<'m> {
-    /// The cheapest correction of a link with its proof, if one is found among `budget` candidates.
+    /// The cheapest correction of a link with its proof, if one is found among `budget` candidates and
+    /// before the work that the options allow is done.
     ///
     /// # Errors
     /// How many candidates were tried in vain.
@@ -131,25 +141,27 @@ impl<'m> Checker<'m> {
         link: &Link,
         budget: usize,
     ) -> Result<Found, Searched> {
-        let mut searched = Searched { tried: 0, budget };
+        let limit = Spent {
+            tried: budget,
+            work: self.options.work,
+        };
         if budget == 0 {
-            return Err(searched);
+            return Err(searched(limit, Spent::default(), 0, 0));
         }
         let display = self.exact.display(equation).clone();
         let places = [link.left, link.right];
         let context = edit::Context::of(self.model);
         let rows = edit::braces_under_all_rows(&display, link.right);
         let singles = edit::singles(&display, &places, &context);
-        let mut trial = Trial::new(self, &display, link, budget);
-        let mut first: Vec<Candidate> = Vec::new();
-        if !rows.is_empty() {
-            first.push(Candidate::repeated(rows.iter().collect()));
-        }
-        first.extend(singles.iter().map(Candidate::single));
-        let mut passing = trial.passing(first);
+        let mut trial = Trial::new(self, &display, link, limit);
+        let first = usize::from(!rows.is_empty());
+        let mut passing = trial.passing(first + singles.len(), |k| match k.checked_sub(first) {
+            Some(k) => Candidate::single(&singles[k]),
+            None => Candidate::repeated(rows.iter().collect()),
+        });
         passing.extend(trial.solved(&context));
         let mut best = Best::default();
-        let found = self.prove(equation, link, passing, &singles, &trial);
+        let found = self.prove(equation, link, passing, &singles, &mut trial);
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
@@ -165,22 +177,22 @@ impl<'m> Checker<'m> {
                     let class: Vec<&Replacement> =
                         singles.iter().filter(|r| r.class == class).collect();
                     let sets = combinations(&class, size, REPEATED);
-                    repeated.extend(sets.into_iter().map(Candidate::repeated));
+                    repeated.extend(sets);
                 }
             }
         }
-        let passing = trial.passing(repeated);
-        let found = self.prove(equation, link, passing, &singles, &trial);
+        let passing = trial.passing(repeated.len(), |k| Candidate::repeated(repeated[k].clone()));
+        let found = self.prove(equation, link, passing, &singles, &mut trial);
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
         if best.found.is_none()
-            && let Some(found) = self.by_definition(equation, link, trial.tried, budget, None)
+            && let Some(found) = self.by_definition(equation, link, &mut trial.spent, limit, None)
         {
             return Ok(found);
         }
         let mut passing = trial.pairs(&singles);
-        let mut found = self.prove(equation, link, passing.clone(), &singles, &trial);
+        let mut found = self.prove(equation, link, passing.clone(), &singles, &mut trial);
         // What would have to be evaluated pair by pair is of use only where it costs no more.
         let most = match &found {
             Some(correction)
@@ -194,9 +206,9 @@ impl<'m> Checker<'m> {
         let apart = trial.pairs_apart(&singles, most);
         if !apart.is_empty() {
             passing.extend(apart);
-            found = self.prove(equation, link, passing, &singles, &trial);
+            found = self.prove(equation, link, passing, &singles, &mut trial);
         } else if let Some(correction) = &mut found {
-            correction.tried = trial.tried.min(trial.limit);
+            correction.tried = trial.spent.tried.min(limit.tried);
         }
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
@@ -204,8 +216,7 @@ impl<'m> Checker<'m> {
         if let Some((found, _)) = best.found {
             return Ok(found);
         }
-        searched.tried = trial.tried.min(budget);
-        Err(searched)
+        Err(searched(limit, trial.spent, trial.all, trial.empty))
     }
 
     /// Proves the candidates that were not ruled out, the cheapest first, until one is proved and
@@ -216,35 +227,37 @@ impl<'m> Checker<'m> {
         link: &Link,
         mut passing: Vec<Candidate>,
         singles: &[Replacement],
-        trial: &Trial<'_, 'm>,
+        trial: &mut Trial<'_, 'm>,
     ) -> Option<Found> {
         let display = trial.display;
         passing.sort_by_key(|candidate| candidate.cost);
+        let reserve = trial.spent.and(trial.reserve()).work;
         let mut proved: Vec<Proved> = Vec::new();
         let mut seen: BTreeSet<String> = BTreeSet::new();
         for (k, candidate) in passing.into_iter().enumerate() {
             let enough = proved.len() > OTHERS
                 || k >= PASSING && proved.iter().any(|p| p.candidate.cost < candidate.cost);
-            if enough || k >= EXACTLY {
+            if enough || k >= EXACTLY || trial.spent.work >= reserve || interrupted() {
                 break;
             }
             let corrected = edited(display, &candidate.steps);
             let sides = [link.left, link.right].map(|p| p.find(&corrected).map(latex::write_expr));
             let text = sides.map(Option::unwrap_or_default);
-            if text[0] == text[1] || !seen.insert(text.join(" = ")) {
+            if !seen.insert(text.join(" = ")) {
                 continue;
             }
-            if says_nothing(self, display, &corrected, link, &candidate) {
+            let mark = trial.store.mark();
+            let emptied = saying::emptied(trial, &corrected, &candidate);
+            trial.store.release(mark);
+            if emptied.is_some() {
+                trial.empty += 1;
                 continue;
             }
             self.exact.correct(equation, corrected.clone());
             let decision = match self.sides(equation, link) {
                 Ok(entries) => {
-                    let zero =
-                        |e: &crate::verdict::ResidualEntry| e.left.is_zero() && e.right.is_zero();
-                    if entries.iter().all(zero) && !trial.zero {
-                        continue;
-                    }
+                    let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
+                    trial.spent.work += PROOF + work::exact(values);
                     self.decide_true(&entries, equation)
                         .map(|decision| (decision, entries))
                 }
@@ -320,8 +333,8 @@ impl<'m> Checker<'m> {
             cost: first.candidate.cost,
             given: first.given,
             proof: first.proof,
-            tried: trial.tried.min(trial.limit),
-            budget: trial.limit,
+            tried: trial.spent.tried.min(trial.limit.tried),
+            budget: trial.limit.tried,
             alternatives,
             others,
             preferred,
@@ -331,80 +344,30 @@ impl<'m> Checker<'m> {
     }
 }
 
+/// How a search ended that found nothing.
+fn searched(limit: Spent, spent: Spent, all: usize, empty: usize) -> Searched {
+    let ended = if interrupted() {
+        Some(Ended::Interrupted)
+    } else if spent.tried >= limit.tried {
+        Some(Ended::Candidates)
+    } else if spent.work >= limit.work {
+        Some(Ended::Work)
+    } else {
+        None
+    };
+    let tried = spent.tried.min(limit.tried);
+    Searched {
+        tried,
+        of: all.max(tried),
+        budget: limit.tried,
+        ended,
+        empty,
+    }
+}
+
 /// What corrections are compared by.
 fn sorting(proved: &Proved) -> (bool, u32) {
     (proved.given.is_some(), proved.candidate.cost)
-}
-
-/// Whether a correction only restates the claim or makes its sides the same by taking the content
-/// out of it.
-fn says_nothing(
-    checker: &Checker<'_>,
-    printed: &Display,
-    corrected: &Display,
-    link: &Link,
-    candidate: &Candidate,
-) -> bool {
-    let plain = |class: EditClass| !matches!(class, EditClass::Letter | EditClass::Index);
-    let pure = candidate.steps.len() == 1
-        && candidate.steps.iter().all(|step| plain(step.class))
-        && !uses_definitions(checker, printed, link);
-    !pure && form::is_restatement(corrected, link)
-        || form::zeros(corrected, link) > form::zeros(printed, link)
-        || candidate.steps.len() > 1 && loses_content(printed, corrected, link, candidate)
-}
-
-/// Whether several edits leave little of what the equation is about: two letters that it no longer
-/// names, or one whose terms and factors were all taken out.
-fn loses_content(
-    printed: &Display,
-    corrected: &Display,
-    link: &Link,
-    candidate: &Candidate,
-) -> bool {
-    let names = |display: &Display| {
-        let mut found: BTreeSet<String> = BTreeSet::new();
-        for expr in [link.left, link.right]
-            .iter()
-            .filter_map(|p| p.find(display))
-        {
-            crate::model::links::visit(expr, &mut |e| {
-                if let Some(name) = edit::name_of(e) {
-                    // Another index or dot is no other letter.
-                    let bare = Name {
-                        subscript: None,
-                        ..name.undotted()
-                    };
-                    found.insert(latex::canonical(&bare));
-                }
-            });
-        }
-        found
-    };
-    let left = names(corrected);
-    let lost = names(printed).into_iter().filter(|n| !left.contains(n));
-    let dropped = candidate.steps.iter().all(|s| s.class == EditClass::Term);
-    lost.count() > usize::from(!dropped)
-}
-
-/// Whether a side names anything that has a definition.
-fn uses_definitions(checker: &Checker<'_>, display: &Display, link: &Link) -> bool {
-    use crate::model::names::Resolved;
-    let mut found = false;
-    for side in [link.left, link.right] {
-        if let Some(expr) = side.find(display) {
-            crate::model::links::visit(expr, &mut |e| {
-                if let ExprKind::Name(name) = &e.kind {
-                    let resolved = checker.model.resolve(name, &|_| false);
-                    found |= matches!(
-                        resolved,
-                        Ok(Resolved::Node { .. } | Resolved::Indexed { .. })
-                    );
-                }
-            });
-        }
-    }
-    found
 }
 
 /// A display with some edits made.

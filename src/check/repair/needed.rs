@@ -7,6 +7,7 @@
 use super::residue::Residue;
 use super::sites::Trial;
 use super::store::Id;
+use super::work;
 use crate::check::edit::Address;
 use crate::domain::{Domain, PrimeField};
 use crate::evaluate::{Value, value};
@@ -60,8 +61,10 @@ impl Walk<'_, '_, '_> {
     ) {
         let id = self.trial.store.node(expr);
         see(expr, id, address, needed);
-        for (step, child) in children(expr).into_iter().enumerate() {
-            let below = self.below(expr, step, needed);
+        let children = children(expr);
+        let mut below = self.below(expr, children.len(), needed);
+        for (step, child) in children.into_iter().enumerate() {
+            let below = std::mem::take(&mut below[step]);
             if !below.is_empty() {
                 address.path.push(step);
                 self.visit(child, address, &below, see);
@@ -98,15 +101,108 @@ impl Walk<'_, '_, '_> {
         })
     }
 
-    /// The values that a child must have, for the needed values of the whole.
-    fn below(&mut self, expr: &Expr, step: usize, needed: &[Value<u64>]) -> Vec<Value<u64>> {
-        let mut found = Vec::new();
+    /// The values that each child must have, for the needed values of the whole.
+    fn below(
+        &mut self,
+        expr: &Expr,
+        children: usize,
+        needed: &[Value<u64>],
+    ) -> Vec<Vec<Value<u64>>> {
+        match &expr.kind {
+            ExprKind::Sum(terms) => self.below_sum(terms, needed),
+            ExprKind::Product(factors) => self.below_product(factors, needed),
+            _ => {
+                let mut found = vec![Vec::new(); children];
+                for (step, found) in found.iter_mut().enumerate() {
+                    for whole in needed {
+                        self.needed(expr, step, whole, found);
+                    }
+                }
+                found
+            }
+        }
+    }
+
+    /// In a sum: what is missing beside the other terms. Where a term has no value, only it can be needed.
+    fn below_sum(&mut self, terms: &[(Sign, Expr)], needed: &[Value<u64>]) -> Vec<Vec<Value<u64>>> {
+        let (field, span) = (PrimeField, Span::default());
+        let mut found = vec![Vec::new(); terms.len()];
+        let steps = work::operation(needed.first(), 3 * terms.len());
+        self.trial.store.charge(steps);
+        let values: Vec<_> = terms.iter().map(|(_, term)| self.value(term)).collect();
+        let mut missing = (0..terms.len()).filter(|k| values[*k].is_none());
+        let (lone, more) = (missing.next(), missing.next().is_some());
+        if more {
+            return found;
+        }
         for whole in needed {
-            self.needed(expr, step, whole, &mut found);
+            // What is missing beside all terms that have values.
+            let mut rest = Some(whole.clone());
+            for ((sign, _), value) in terms.iter().zip(&values) {
+                rest = match (rest, value) {
+                    (Some(rest), Some(value)) => match sign {
+                        Sign::Plus => value::subtract(&field, &rest, value, span).ok(),
+                        Sign::Minus => value::add(&field, &rest, value, span).ok(),
+                    },
+                    (rest, _) => rest,
+                };
+            }
+            let Some(rest) = rest else {
+                continue;
+            };
+            for (k, (sign, _)) in terms.iter().enumerate() {
+                let rest = match sign {
+                    Sign::Plus => rest.clone(),
+                    Sign::Minus => value::negate(&field, &rest),
+                };
+                match &values[k] {
+                    None => found[k].push(rest),
+                    Some(value) if lone.is_none() => {
+                        found[k].extend(value::add(&field, value, &rest, span));
+                    }
+                    Some(_) => {}
+                }
+            }
         }
         found
     }
 
+    /// In a product: the quotient by the other factors, which are numbers.
+    fn below_product(&mut self, factors: &[Expr], needed: &[Value<u64>]) -> Vec<Vec<Value<u64>>> {
+        let (field, span) = (PrimeField, Span::default());
+        let steps = work::operation(needed.first(), 5 * factors.len());
+        self.trial.store.charge(steps);
+        let scalars: Vec<Option<u64>> = factors
+            .iter()
+            .map(|factor| match self.value(factor) {
+                Some(Value::Scalar(s)) => Some(s),
+                _ => None,
+            })
+            .collect();
+        // The products of all factors before each, and of all behind it.
+        let step = |product: &mut Option<u64>, factor: &Option<u64>| {
+            let before = *product;
+            *product = before.zip(*factor).map(|(p, f)| field.multiply(&p, &f));
+            Some(before)
+        };
+        let before: Vec<Option<u64>> = scalars.iter().scan(Some(1), step).collect();
+        let behind: Vec<Option<u64>> = scalars.iter().rev().scan(Some(1), step).collect();
+        let mut found = vec![Vec::new(); factors.len()];
+        for (k, found) in found.iter_mut().enumerate() {
+            let others = before[k].zip(behind[factors.len() - 1 - k]);
+            let others = others.map(|(one, other)| field.multiply(&one, &other));
+            let Some(inverse) = others.and_then(|others| field.divide(&1, &others)) else {
+                continue;
+            };
+            for whole in needed {
+                let value = value::multiply(&field, &Value::Scalar(inverse), whole, span);
+                found.extend(value);
+            }
+        }
+        found
+    }
+
+    /// What a child of anything else must be.
     fn needed(
         &mut self,
         expr: &Expr,
@@ -118,49 +214,6 @@ impl Walk<'_, '_, '_> {
         let span = Span::default();
         match &expr.kind {
             ExprKind::Group { .. } | ExprKind::Underbrace { .. } => found.push(whole.clone()),
-            ExprKind::Sum(terms) => {
-                let mut rest = whole.clone();
-                for (k, (sign, term)) in terms.iter().enumerate() {
-                    if k == step {
-                        continue;
-                    }
-                    let Some(value) = self.value(term) else {
-                        return;
-                    };
-                    let next = match sign {
-                        Sign::Plus => value::subtract(&field, &rest, &value, span),
-                        Sign::Minus => value::add(&field, &rest, &value, span),
-                    };
-                    match next {
-                        Ok(next) => rest = next,
-                        Err(_) => return,
-                    }
-                }
-                found.push(match terms[step].0 {
-                    Sign::Plus => rest,
-                    Sign::Minus => value::negate(&field, &rest),
-                });
-            }
-            ExprKind::Product(factors) => {
-                let mut others = 1;
-                for (k, factor) in factors.iter().enumerate() {
-                    if k == step {
-                        continue;
-                    }
-                    match self.value(factor) {
-                        Some(Value::Scalar(s)) => others = field.multiply(&others, &s),
-                        _ => return,
-                    }
-                }
-                if let Some(inverse) = field.divide(&1, &others) {
-                    found.extend(value::multiply(
-                        &field,
-                        &Value::Scalar(inverse),
-                        whole,
-                        span,
-                    ));
-                }
-            }
             ExprKind::Quotient {
                 numerator,
                 denominator,

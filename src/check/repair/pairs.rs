@@ -7,6 +7,7 @@
 //! pairs. Below a matrix product, a running sum or a function nothing is needed in particular;
 //! pairs in such places are evaluated one by one, as far as they cost no more than what is known by then.
 
+use super::changed::Put;
 use super::needed::Walk;
 use super::residue::{Residue, compared};
 use super::sites::Trial;
@@ -41,14 +42,17 @@ impl Trial<'_, '_> {
             return Vec::new();
         }
         let seconds = |trial: &mut Trial<'_, '_>, i: usize| trial.seconds(singles, i);
-        let left = self.limit.saturating_sub(self.tried);
+        self.all = self.all.saturating_add(singles.len().saturating_pow(2));
+        // The table of what each edit puts in, once for all.
+        let sizes = singles.iter().map(|edit| edit.change.size() as u64);
+        self.spent.work = self.spent.work.saturating_add(sizes.sum());
+        let left = self.left();
         let results = self.each(singles.len(), left, seconds, |(_, looked_at)| *looked_at);
         let mut found: Vec<Candidate> = Vec::new();
-        for (i, (hits, looked_at)) in results.into_iter().enumerate() {
+        for (i, (hits, _)) in results.into_iter().enumerate() {
             if found.len() >= FOUND {
                 break;
             }
-            self.tried += looked_at;
             let one = &singles[i];
             found.extend(
                 hits.into_iter()
@@ -69,7 +73,7 @@ impl Trial<'_, '_> {
         found.sort_by_key(|candidate| candidate.cost);
         found.dedup_by(|one, other| one.cost == other.cost && same_edits(one, other));
         found.truncate(FOUND);
-        self.sifted(found, Vec::new())
+        self.sifted(&found)
     }
 
     /// With one edit made, the edits that do in its place or another, and how many were looked at.
@@ -77,12 +81,15 @@ impl Trial<'_, '_> {
         let table = match &self.table {
             Some(table) => Rc::clone(table),
             None => {
+                let before = self.store.steps();
                 let table = Rc::new(self.tabulate(singles));
+                self.store.uncount(before);
                 self.table = Some(Rc::clone(&table));
                 table
             }
         };
         let (mut hits, mut looked_at) = (Vec::new(), 0);
+        let mark = self.store.mark();
         let display = edited(self.display, std::slice::from_ref(&singles[i]));
         let places = [self.link.left, self.link.right];
         let exprs = places.map(|p| p.find(&display));
@@ -107,6 +114,9 @@ impl Trial<'_, '_> {
                 },
             );
         }
+        self.store.release(mark);
+        self.store.charge(looked_at as u64);
+        hits.truncate(FOUND);
         (hits, looked_at)
     }
 
@@ -126,9 +136,16 @@ impl Trial<'_, '_> {
             let Some(spot) = self.spot_at.get(&single.address).copied() else {
                 continue;
             };
-            let expr = Expr::new(single.kind.clone(), Span::default());
-            let id = self.store.node(&expr);
-            if let Residue::Is(value) = self.store.value(id, self.env) {
+            let mark = self.store.mark();
+            let nodes = self.nodes_put_in(single);
+            let put = Put {
+                spot,
+                nodes,
+                edit: single,
+            };
+            let value = self.put_value(&put);
+            self.store.release(mark);
+            if let Some(Residue::Is(value)) = value {
                 let key = (spot, key(&value));
                 table.by_value.entry(key).or_default().push(j);
                 table.sizes[spot] += 1;
@@ -149,7 +166,7 @@ impl Trial<'_, '_> {
             .filter_map(|r| Some((*self.spot_at.get(&r.address)?, r)))
             .filter(|(spot, _)| !reached.contains(spot))
             .collect();
-        let left = self.limit.saturating_sub(self.tried) / DEARER;
+        let left = self.left().tried / DEARER;
         let costs: Vec<u32> = apart.iter().map(|(_, r)| r.cost).collect();
         let most = bound(&costs, most.saturating_sub(SECOND_SLIP), left);
         let mut pairs: Vec<(u32, usize, usize)> = Vec::new();
@@ -164,32 +181,35 @@ impl Trial<'_, '_> {
         let agree = |trial: &mut Trial<'_, '_>, k: usize| {
             let nodes = trial.nodes_of(&apart);
             let (_, i, j) = pairs[k];
-            let puts = [i, j].map(|e| (apart[e].0, nodes[e], apart[e].1));
+            let puts = [i, j].map(|e| Put {
+                spot: apart[e].0,
+                nodes: nodes[e].clone(),
+                edit: apart[e].1,
+            });
             let sides = [trial.link.left, trial.link.right];
             let [left, right] = sides.map(|place| trial.side_with(place, &puts));
             compared(&left, &right) == Some(true)
         };
-        let agree = self.each(pairs.len(), usize::MAX, agree, |_| 0);
-        self.tried += DEARER * pairs.len();
+        self.all = self.all.saturating_add(DEARER * pairs.len());
+        let agree = self.each(pairs.len(), self.left(), agree, |_| DEARER);
         let agreeing = pairs.iter().zip(agree).filter(|(_, agrees)| *agrees);
         let found = agreeing.take(FOUND).map(|((cost, i, j), _)| Candidate {
             steps: vec![apart[*i].1.clone(), apart[*j].1.clone()],
             cost: cost + SECOND_SLIP,
         });
-        let found = found.collect();
-        self.sifted(found, Vec::new())
+        let found: Vec<Candidate> = found.collect();
+        self.sifted(&found)
     }
 
     /// The nodes of what some edits put in, each once.
-    fn nodes_of(&mut self, edits: &[(usize, &Replacement)]) -> Rc<Vec<Id>> {
+    fn nodes_of(&mut self, edits: &[(usize, &Replacement)]) -> Rc<Vec<Vec<Id>>> {
         if let Some(nodes) = &self.nodes {
             return Rc::clone(nodes);
         }
-        let mut node = |edit: &Replacement| {
-            let expr = Expr::new(edit.kind.clone(), Span::default());
-            self.store.node(&expr)
-        };
-        let nodes = Rc::new(edits.iter().map(|(_, edit)| node(edit)).collect::<Vec<_>>());
+        let before = self.store.steps();
+        let nodes = edits.iter().map(|(_, edit)| self.nodes_put_in(edit));
+        let nodes = Rc::new(nodes.collect::<Vec<_>>());
+        self.store.uncount(before);
         self.nodes = Some(Rc::clone(&nodes));
         nodes
     }
@@ -262,7 +282,7 @@ fn bound(costs: &[u32], most: u32, pairs: usize) -> u32 {
 
 /// Whether two pairs are the same edits in another order.
 fn same_edits(one: &Candidate, other: &Candidate) -> bool {
-    let same = |a: &Replacement, b: &Replacement| a.address == b.address && a.kind == b.kind;
+    let same = |a: &Replacement, b: &Replacement| a.address == b.address && a.change == b.change;
     match (one.steps.as_slice(), other.steps.as_slice()) {
         ([a, b], [c, d]) => same(a, c) && same(b, d) || same(a, d) && same(b, c),
         _ => false,

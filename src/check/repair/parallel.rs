@@ -3,16 +3,18 @@
 //! Each thread has evaluators of its own. Blocks of candidates have a fixed size, and what comes of
 //! them is put together in their order, so that the number of threads changes nothing but the time.
 
+use super::work::Spent;
 use crate::check::{Checker, Options};
 use crate::domain::Symbolic;
 use crate::evaluate::Evaluator;
 use crate::expr::Display;
 use crate::model::Model;
+use crate::progress::interrupted;
 use crate::stack::Queue;
 use ratpoly::RationalFunction;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 /// What a thread needs for a checker of its own.
 pub(super) struct Seed<'m> {
@@ -64,25 +66,32 @@ impl Blocks {
         block * self.size..((block + 1) * self.size).min(self.units)
     }
 
-    /// The results of the first blocks, until what they have `spent` together reaches `limit`. Each
-    /// thread works with what `start` gives it.
+    /// The results of the first blocks, until what they have `spent` together reaches `limit`, or the
+    /// run is interrupted. Each thread works with what `start` gives it.
     pub fn run<S, R: Send>(
         self,
-        limit: usize,
+        limit: Spent,
         start: impl Fn() -> S + Sync,
         work: impl Fn(&mut S, Range<usize>) -> R + Sync,
-        spent: impl Fn(&R) -> usize + Sync,
+        spent: impl Fn(&R) -> Spent + Sync,
     ) -> Vec<R> {
         let blocks = self.units.div_ceil(self.size.max(1));
-        let total = AtomicUsize::new(0);
+        let (tried, steps) = (AtomicUsize::new(0), AtomicU64::new(0));
+        let total = || Spent {
+            tried: tried.load(Ordering::Relaxed),
+            work: steps.load(Ordering::Relaxed),
+        };
         let results = Queue::run(blocks, self.threads, |queue| {
             let mut state = start();
             // Blocks are taken in order: what is done at any time are the first ones.
-            while total.load(Ordering::Relaxed) < limit
+            while !total().reaches(limit)
+                && !interrupted()
                 && let Some(block) = queue.take()
             {
                 let result = work(&mut state, self.range(block));
-                total.fetch_add(spent(&result), Ordering::Relaxed);
+                let spent = spent(&result);
+                tried.fetch_add(spent.tried, Ordering::Relaxed);
+                steps.fetch_add(spent.work, Ordering::Relaxed);
                 queue.put(block, result);
             }
         });
@@ -93,15 +102,16 @@ impl Blocks {
 /// The first results, until what they have `spent` together reaches `limit`.
 pub(super) fn first_until<R>(
     mut results: impl Iterator<Item = R>,
-    limit: usize,
-    spent: impl Fn(&R) -> usize,
+    limit: Spent,
+    spent: impl Fn(&R) -> Spent,
 ) -> Vec<R> {
-    let mut sum = 0;
+    let mut sum = Spent::default();
     let mut found = Vec::new();
-    while sum < limit
+    while !sum.reaches(limit)
+        && !interrupted()
         && let Some(result) = results.next()
     {
-        sum += spent(&result);
+        sum = sum.and(spent(&result));
         found.push(result);
     }
     found
@@ -114,7 +124,9 @@ mod tests {
     #[test]
     fn the_same_results_from_any_number_of_threads() {
         let units: Vec<usize> = (0..1000).map(|k| k * k % 17).collect();
-        let run = |threads, limit| {
+        let run = |threads, tried| {
+            let work = if tried == 100 { 30 } else { u64::MAX };
+            let limit = Spent { tried, work };
             let blocks = Blocks {
                 units: units.len(),
                 size: 7,
@@ -124,7 +136,10 @@ mod tests {
                 limit,
                 || (),
                 |(), range| units[range].to_vec(),
-                |found: &Vec<usize>| found.iter().sum(),
+                |found: &Vec<usize>| Spent {
+                    tried: found.iter().sum(),
+                    work: found.len() as u64,
+                },
             )
         };
         assert_eq!(run(1, usize::MAX).concat(), units);

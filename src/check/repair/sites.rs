@@ -1,17 +1,17 @@
-//! The candidates of one link as they are tried: each costs its new nodes from the edited place up
-//! to the side.
+//! The candidates of one link as they are tried: each costs what it puts in and the operations from
+//! there up to the side, and keeps nothing.
 
-use super::evaluators::{ExactFilter, Passing, passes};
+use super::evaluators::ExactFilter;
 use super::pairs::Table;
-use super::parallel::{Blocks, Seed, first_until};
-use super::residue::{Residue, compared, operation};
-use super::store::{Env, Id, Shape, Store};
-use super::{Candidate, edited};
-use crate::check::edit::{Address, Replacement, sites};
+use super::parallel::Seed;
+use super::residue::compared;
+use super::store::{Env, Id, Store};
+use super::work::Spent;
+use crate::check::edit::{Address, sites};
 use crate::check::{Checker, index_tuples};
-use crate::expr::{Display, Expr, ExprKind};
+use crate::expr::{Display, ExprKind};
 use crate::latex;
-use crate::model::links::{Link, Place};
+use crate::model::links::Link;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -26,7 +26,7 @@ pub(super) struct Spot {
     /// What stands below: all after this one and before that.
     pub end: usize,
     /// Whether it is no operation, but brackets or a brace around one.
-    plain: bool,
+    pub plain: bool,
 }
 
 /// The candidates of a link.
@@ -40,37 +40,61 @@ pub(super) struct Trial<'r, 'm> {
     pub env: Env,
     /// Whether the store can judge at all.
     pub fast: bool,
-    functions: bool,
-    exact: Option<ExactFilter<'m>>,
-    seed: Seed<'m>,
-    threads: usize,
+    pub functions: bool,
+    pub exact: Option<ExactFilter<'m>>,
+    pub seed: Seed<'m>,
+    pub threads: usize,
+    /// Which point it is, and the trials at others, where functions may have images that have none here.
+    pub point: u64,
+    pub elsewhere: Vec<Trial<'r, 'm>>,
+    /// Whether a side as printed has functions without an image at this point.
+    pub blind: bool,
     /// For pairs: what each edit puts at its place.
     pub table: Option<Rc<Table>>,
     /// For pairs that are evaluated one by one: the node of each edit.
-    pub nodes: Option<Rc<Vec<Id>>>,
-    pub tried: usize,
-    pub limit: usize,
-    /// Whether both sides as printed are zero.
-    pub zero: bool,
+    pub nodes: Option<Rc<Vec<Vec<Id>>>>,
+    pub spent: Spent,
+    pub limit: Spent,
+    /// How many candidates there are, as far as they were listed.
+    pub all: usize,
+    /// How many candidates make the sides agree and say less than the print.
+    pub empty: usize,
 }
 
-/// How many candidates the slow filter looks at.
-const SLOW: usize = 20_000;
-
-/// From how many units on threads are worth their evaluators.
-const MANY: usize = 1_000;
-
-/// How many units a thread takes at a time.
-const BLOCK: usize = 64;
+/// At how many points of functions the sides as printed are tried before it is said that they have no
+/// value modulo the prime: a root has one only where its radicand is a square.
+const POINTS: u64 = 24;
 
 impl<'r, 'm> Trial<'r, 'm> {
+    /// The candidates of a link, at the first point at which its sides as printed have values.
     pub fn new(
         checker: &Checker<'m>,
         display: &'r Display,
         link: &'r Link,
-        limit: usize,
+        limit: Spent,
     ) -> Trial<'r, 'm> {
-        let (evaluator, exact, images) = checker.modulo_prime();
+        let mut first = Trial::at(checker, display, link, limit, 0);
+        if first.functions && first.blind {
+            for point in 1..POINTS {
+                let other = Trial::at(checker, display, link, limit, point);
+                if !other.blind {
+                    first = other;
+                    break;
+                }
+            }
+        }
+        first
+    }
+
+    /// The same at one of several points.
+    pub fn at(
+        checker: &Checker<'m>,
+        display: &'r Display,
+        link: &'r Link,
+        limit: Spent,
+        point: u64,
+    ) -> Trial<'r, 'm> {
+        let (evaluator, exact, images) = checker.modulo_prime(point);
         let functions = checker.model.functions.is_some();
         let exact = functions.then_some((exact, images));
         let mut store = Store::new(display, evaluator, exact);
@@ -142,9 +166,13 @@ impl<'r, 'm> Trial<'r, 'm> {
             },
             table: None,
             nodes: None,
-            tried: 0,
+            point,
+            blind: false,
+            elsewhere: Vec::new(),
+            spent: Spent::default(),
             limit,
-            zero: false,
+            all: 0,
+            empty: 0,
         };
         let sides = trial.sides();
         let mut first = None;
@@ -158,14 +186,8 @@ impl<'r, 'm> Trial<'r, 'm> {
             }
         }
         trial.env = first.unwrap_or(0);
-        let zero = |residue: Residue| {
-            residue
-                .value()
-                .is_some_and(|v| v.entries().iter().all(|e| **e == 0))
-        };
-        trial.zero = sides
-            .iter()
-            .all(|id| zero(trial.store.value(*id, trial.env)));
+        trial.blind = trial.compare(sides, trial.env).is_none();
+        trial.store.printed();
         trial
     }
 
@@ -178,238 +200,15 @@ impl<'r, 'm> Trial<'r, 'm> {
     }
 
     /// Whether two nodes are equal; none where that cannot be told.
-    fn compare(&mut self, sides: [Id; 2], env: Env) -> Option<bool> {
+    pub fn compare(&mut self, sides: [Id; 2], env: Env) -> Option<bool> {
         let [left, right] = sides.map(|id| self.store.value(id, env));
         compared(&left, &right)
-    }
-
-    /// The node of a side with an edit.
-    fn lifted(&mut self, replacement: &Replacement) -> Option<Id> {
-        let mut spot = *self.spot_at.get(&replacement.address)?;
-        let expr = Expr::new(replacement.kind.clone(), crate::span::Span::default());
-        let mut id = self.store.node(&expr);
-        while let Some(parent) = self.spots[spot].parent {
-            id = self.with_child(parent, self.spots[spot].step, id)?;
-            spot = parent;
-        }
-        Some(id)
-    }
-
-    /// The node of a subexpression with another child; none where its children are no nodes.
-    fn with_child(&mut self, parent: usize, step: usize, child: Id) -> Option<Id> {
-        if self.spots[parent].plain {
-            return Some(child);
-        }
-        let mut shape = (*self.store.shape(self.spots[parent].id)).clone();
-        match &mut shape {
-            Shape::Sum(terms) => terms.get_mut(step)?.1 = child,
-            Shape::Product(ids) => *ids.get_mut(step)? = child,
-            Shape::Quotient(above, below) => *[above, below].into_iter().nth(step)? = child,
-            Shape::Power(base, _) if step == 0 => *base = child,
-            Shape::Transpose(inner) => *inner = child,
-            Shape::Running(_, _, _, body) if step == 2 => *body = child,
-            // A matrix may need its expression for blocks.
-            _ => return None,
-        }
-        Some(self.store.shared(shape, None))
-    }
-
-    /// The nodes of both sides with some edits.
-    fn edited_sides(&mut self, steps: &[Replacement]) -> [Id; 2] {
-        let mut sides = self.sides();
-        if let [only] = steps
-            && let Some(id) = self.lifted(only)
-        {
-            sides[usize::from(only.address.place != self.link.left)] = id;
-            return sides;
-        }
-        let display = edited(self.display, steps);
-        for (side, place) in sides.iter_mut().zip([self.link.left, self.link.right]) {
-            if let Some(expr) = place.find(&display) {
-                *side = self.store.node(expr);
-            }
-        }
-        sides
-    }
-
-    /// What `work` says of each of some units, on several threads where there are many of them; no
-    /// more units once what they have `spent` together reaches a bound.
-    pub fn each<R: Send>(
-        &mut self,
-        units: usize,
-        left: usize,
-        work: impl Fn(&mut Trial<'_, 'm>, usize) -> R + Sync,
-        spent: impl Fn(&R) -> usize + Sync,
-    ) -> Vec<R> {
-        if self.threads < 2 || units < MANY {
-            return first_until((0..units).map(|unit| work(self, unit)), left, spent);
-        }
-        let (display, link, limit, seed) = (self.display, self.link, self.limit, &self.seed);
-        let blocks = Blocks {
-            units,
-            size: BLOCK,
-            threads: self.threads,
-        };
-        let start = || Trial::new(&seed.checker(), display, link, limit);
-        let results = blocks.run(
-            left,
-            start,
-            |trial, range| range.map(|unit| work(trial, unit)).collect::<Vec<R>>(),
-            |results| results.iter().map(&spent).sum(),
-        );
-        first_until(results.into_iter().flatten(), left, spent)
-    }
-
-    /// Of some candidates, those that are not ruled out.
-    pub fn passing(&mut self, candidates: Vec<Candidate>) -> Vec<Candidate> {
-        let left = self.limit.saturating_sub(self.tried);
-        let judge = |trial: &mut Trial<'_, 'm>, k: usize| {
-            let candidate: &Candidate = &candidates[k];
-            if !trial.fast || trial.touches_elsewhere(candidate) {
-                return None;
-            }
-            trial.told(&candidate.steps)
-        };
-        let verdicts = self.each(candidates.len(), left, judge, |_| 1);
-        self.tried += verdicts.len();
-        let mut found = Vec::new();
-        let mut unknown = Vec::new();
-        for (candidate, verdict) in candidates.into_iter().zip(verdicts) {
-            match verdict {
-                Some(true) => found.push(candidate),
-                Some(false) => {}
-                None => unknown.push(candidate),
-            }
-        }
-        self.sifted(found, unknown)
-    }
-
-    /// Whether the sides agree with some edits, at the first indices that tell; none where that cannot
-    /// be told.
-    fn told(&mut self, steps: &[Replacement]) -> Option<bool> {
-        if let Some(puts) = self.puts(steps) {
-            let sides = [self.link.left, self.link.right];
-            let [left, right] = sides.map(|place| self.side_with(place, &puts));
-            return compared(&left, &right);
-        }
-        let sides = self.edited_sides(steps);
-        self.compare(sides, self.env)
-    }
-
-    /// Several edits at places of which none holds another, with their nodes.
-    fn puts<'e>(&mut self, steps: &'e [Replacement]) -> Option<Vec<(usize, Id, &'e Replacement)>> {
-        let mut puts: Vec<(usize, Id, &Replacement)> = Vec::with_capacity(steps.len());
-        if steps.len() < 2 {
-            return None;
-        }
-        for step in steps {
-            let spot = *self.spot_at.get(&step.address)?;
-            if puts.iter().any(|(other, ..)| self.are_nested(spot, *other)) {
-                return None;
-            }
-            let expr = Expr::new(step.kind.clone(), crate::span::Span::default());
-            puts.push((spot, self.store.node(&expr), step));
-        }
-        Some(puts)
     }
 
     /// Whether one of two places holds the other.
     pub fn are_nested(&self, one: usize, two: usize) -> bool {
         let holds = |a: usize, b: usize| (a..self.spots[a].end).contains(&b);
         holds(one, two) || holds(two, one)
-    }
-
-    /// The value of a side with other nodes put in some of its places, which keeps nothing.
-    pub fn side_with(&mut self, place: Place, puts: &[(usize, Id, &Replacement)]) -> Residue {
-        let Some(root) = self.spot_at.get(&Address::of_side(place)).copied() else {
-            return Residue::Unknown;
-        };
-        if let Some(residue) = self.value_with(root, puts) {
-            return residue;
-        }
-        let Some(printed) = place.find(self.display) else {
-            return Residue::Unknown;
-        };
-        let mut side = printed.clone();
-        for (_, _, edit) in puts.iter().filter(|(_, _, e)| e.address.place == place) {
-            if let Some(expr) = edit.address.below(&mut side) {
-                expr.kind = edit.kind.clone();
-            }
-        }
-        self.store.evaluated(&side, self.env)
-    }
-
-    /// The value of a printed subexpression with other nodes put in some places below it; none where
-    /// only the whole expression tells.
-    fn value_with(&mut self, spot: usize, puts: &[(usize, Id, &Replacement)]) -> Option<Residue> {
-        if let Some((_, id, _)) = puts.iter().find(|(at, ..)| *at == spot) {
-            return Some(self.store.value(*id, self.env));
-        }
-        let here = &self.spots[spot];
-        let inside = |from: usize| puts.iter().any(|(at, ..)| (from..here.end).contains(at));
-        if !inside(spot) {
-            return Some(self.store.value(here.id, self.env));
-        }
-        if here.plain {
-            return self.value_with(*here.children.first()?, puts);
-        }
-        let shape = self.store.shape(here.id);
-        // An exponent is no operand.
-        if let Some(next) = here.children.get(shape.operands())
-            && inside(*next)
-        {
-            return None;
-        }
-        let mut told = true;
-        let residue = operation(&shape, &mut |k, _| {
-            let child = self.spots[spot].children.get(k).copied();
-            let value = child.and_then(|child| self.value_with(child, puts));
-            told &= value.is_some();
-            value.unwrap_or(Residue::Unknown)
-        });
-        residue.filter(|_| told)
-    }
-
-    /// Whether an edit changes what stands in neither side.
-    fn touches_elsewhere(&self, candidate: &Candidate) -> bool {
-        let sides: [Place; 2] = [self.link.left, self.link.right];
-        let mut steps = candidate.steps.iter();
-        steps.any(|step| !sides.contains(&step.address.place))
-    }
-
-    /// Those that agree for all indices; what the store cannot tell, by the evaluator.
-    pub fn sifted(&mut self, found: Vec<Candidate>, unknown: Vec<Candidate>) -> Vec<Candidate> {
-        let mut passing = Vec::new();
-        let mut open = Vec::new();
-        let candidates: Vec<Candidate> = found
-            .into_iter()
-            .chain(unknown.into_iter().take(SLOW))
-            .collect();
-        let judge = |trial: &mut Trial<'_, 'm>, k: usize| {
-            let display = edited(trial.display, &candidates[k].steps);
-            let evaluator = &mut trial.store.evaluator;
-            passes(evaluator, trial.functions, &display, trial.link)
-        };
-        let verdicts = self.each(candidates.len(), usize::MAX, judge, |_| 0);
-        for (candidate, verdict) in candidates.into_iter().zip(verdicts) {
-            match verdict {
-                Passing::Agrees => passing.push(candidate),
-                Passing::Unknown => {
-                    let display = edited(self.display, &candidate.steps);
-                    open.push((candidate, display));
-                }
-                Passing::Differs => {}
-            }
-        }
-        // With functions that have no image modulo the prime: exactly, one by one.
-        if let Some(exact) = &mut self.exact {
-            for (candidate, display) in open.into_iter().take(super::EXACTLY) {
-                if exact.agree(&display, self.link) {
-                    passing.push(candidate);
-                }
-            }
-        }
-        passing
     }
 }
 

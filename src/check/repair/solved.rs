@@ -11,7 +11,7 @@ use super::needed::Walk;
 use super::residue::Residue;
 use super::sites::Trial;
 use crate::check::edit::build::{factors, number, power, product, quotient, rational, sum, terms};
-use crate::check::edit::{Address, Context, Kind, Replacement, cost_of, sites};
+use crate::check::edit::{Address, Change, Context, Kind, Replacement, cost_of, sites};
 use crate::domain::{Domain, PrimeField};
 use crate::evaluate::Value;
 use crate::expr::{Expr, ExprKind, Name, QuotientStyle, Sign};
@@ -88,7 +88,8 @@ impl Trial<'_, '_> {
                     continue;
                 };
                 for needed in needed {
-                    self.tried += 1;
+                    self.spent.tried += 1;
+                    self.all += 1;
                     let proposals = table.proposals(site.expr, printed, *needed);
                     for (class, cost, to) in proposals {
                         let term = class == EditClass::Term && matches!(to.1, Added::Term);
@@ -99,7 +100,7 @@ impl Trial<'_, '_> {
                         let replacement = Replacement {
                             address: site.address.clone(),
                             class,
-                            kind: to.0.kind,
+                            change: Change::between(site.expr, to.0),
                             cost,
                         };
                         found.push(Candidate::single(&replacement));
@@ -108,7 +109,7 @@ impl Trial<'_, '_> {
             }
         }
         found.sort_by_key(|c| c.cost);
-        self.sifted(found, Vec::new())
+        self.sifted(&found)
     }
 
     fn printed(&mut self, address: &Address) -> Option<u64> {

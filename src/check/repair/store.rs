@@ -5,10 +5,14 @@
 //! from the printed equation in one place costs the few new nodes from there to the root.
 //!
 //! What is neither arithmetic nor a matrix of scalars is left to the evaluator, node by node.
+//!
+//! What a candidate puts in is released when it is judged, so that a store is as large as the printed
+//! equation and one candidate.
 
 use super::evaluators::Exact;
 use super::images::Images;
 use super::residue::{Residue, operation};
+use super::work;
 use crate::domain::{Domain, PrimeField};
 use crate::evaluate::{Evaluator, FailureKind, Value, value};
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
@@ -55,6 +59,13 @@ impl Shape {
     }
 }
 
+/// How much a store holds.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    nodes: usize,
+    expressions: usize,
+}
+
 struct Node {
     shape: Rc<Shape>,
     /// Whether a bound index occurs.
@@ -69,14 +80,17 @@ pub(super) struct Store<'m> {
     /// For what has a value only as a letter of a function.
     exact: Option<(Exact<'m>, Rc<Images>)>,
     nodes: Vec<Node>,
-    of_shape: HashMap<Shape, Id>,
+    of_shape: HashMap<Rc<Shape>, Id>,
     of_name: HashMap<Name, Id>,
-    expressions: Vec<Rc<Expr>>,
-    of_text: HashMap<String, usize>,
+    expressions: Vec<(Rc<Expr>, Rc<str>)>,
+    of_text: HashMap<Rc<str>, usize>,
     indices: BTreeSet<String>,
     envs: Vec<Vec<(String, i64)>>,
     closed: Vec<Option<Residue>>,
     open: HashMap<(Id, Env), Residue>,
+    /// From which node on values are what a candidate costs; those before are the print's.
+    own: Id,
+    steps: u64,
 }
 
 impl<'m> Store<'m> {
@@ -107,6 +121,60 @@ impl<'m> Store<'m> {
             envs: vec![Vec::new()],
             closed: Vec::new(),
             open: HashMap::new(),
+            own: 0,
+            steps: 0,
+        }
+    }
+
+    /// What is there now is the print's: its values cost no candidate anything.
+    pub fn printed(&mut self) {
+        self.own = self.nodes.len();
+        self.steps = 0;
+    }
+
+    /// How many steps all candidates together have cost.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Goes back to a count: what was done since then is done once for all candidates.
+    pub fn uncount(&mut self, steps: u64) {
+        self.steps = steps;
+    }
+
+    /// Counts steps.
+    pub fn charge(&mut self, steps: u64) {
+        self.steps = self.steps.saturating_add(steps);
+    }
+
+    /// How much there is now.
+    pub fn mark(&self) -> Mark {
+        Mark {
+            nodes: self.nodes.len(),
+            expressions: self.expressions.len(),
+        }
+    }
+
+    /// Forgets what was added since then.
+    pub fn release(&mut self, mark: Mark) {
+        let mut bound = false;
+        while self.nodes.len() > mark.nodes
+            && let Some(node) = self.nodes.pop()
+        {
+            self.closed.pop();
+            bound |= node.bound;
+            match &*node.shape {
+                Shape::Name(name) => drop(self.of_name.remove(name)),
+                shape => drop(self.of_shape.remove(shape)),
+            }
+        }
+        while self.expressions.len() > mark.expressions
+            && let Some((_, text)) = self.expressions.pop()
+        {
+            self.of_text.remove(&text);
+        }
+        if bound {
+            self.open.retain(|(id, _), _| *id < mark.nodes);
         }
     }
 
@@ -128,6 +196,7 @@ impl<'m> Store<'m> {
 
     /// The node of an expression.
     pub fn node(&mut self, expr: &Expr) -> Id {
+        self.charge(1);
         match &expr.kind {
             ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } => {
                 self.node(inner)
@@ -135,7 +204,7 @@ impl<'m> Store<'m> {
             ExprKind::Name(name) => match self.of_name.get(name) {
                 Some(id) => *id,
                 None => {
-                    let id = self.add(Shape::Name(name.clone()), Some(expr));
+                    let id = self.add(Rc::new(Shape::Name(name.clone())), Some(expr));
                     self.of_name.insert(name.clone(), id);
                     id
                 }
@@ -199,11 +268,12 @@ impl<'m> Store<'m> {
     }
 
     fn expression(&mut self, expr: &Expr) -> usize {
-        let text = latex::write_expr(expr);
+        let text: Rc<str> = latex::write_expr(expr).into();
         if let Some(place) = self.of_text.get(&text) {
             return *place;
         }
-        self.expressions.push(Rc::new(expr.clone()));
+        self.expressions
+            .push((Rc::new(expr.clone()), Rc::clone(&text)));
         self.of_text.insert(text, self.expressions.len() - 1);
         self.expressions.len() - 1
     }
@@ -218,29 +288,30 @@ impl<'m> Store<'m> {
         match self.of_shape.get(&shape) {
             Some(id) => *id,
             None => {
-                let id = self.add(shape.clone(), expr);
+                let shape = Rc::new(shape);
+                let id = self.add(Rc::clone(&shape), expr);
                 self.of_shape.insert(shape, id);
                 id
             }
         }
     }
 
-    fn add(&mut self, shape: Shape, expr: Option<&Expr>) -> Id {
+    fn add(&mut self, shape: Rc<Shape>, expr: Option<&Expr>) -> Id {
         let of = |id: &Id| self.nodes[*id].bound;
-        let bound = match &shape {
+        let bound = match &*shape {
             Shape::Number(_) => false,
             Shape::Sum(terms) => terms.iter().any(|(_, id)| of(id)),
             Shape::Product(ids) | Shape::Matrix(_, ids) => ids.iter().any(of),
             Shape::Quotient(one, other) => of(one) || of(other),
             Shape::Power(id, _) | Shape::Transpose(id) => of(id),
             Shape::Running(_, from, to, body) => {
-                let limits = [from, to].map(|place| self.mentions(&self.expressions[*place]));
+                let limits = [from, to].map(|place| self.mentions(&self.expressions[*place].0));
                 of(body) || limits.contains(&true)
             }
             Shape::Name(_) | Shape::Whole(_) => expr.is_some_and(|e| self.mentions(e)),
         };
         self.nodes.push(Node {
-            shape: Rc::new(shape),
+            shape,
             bound,
             expr: expr.map(|e| Rc::new(e.clone())),
         });
@@ -271,7 +342,14 @@ impl<'m> Store<'m> {
         if let Some(known) = known {
             return known.clone();
         }
+        let before = self.steps;
         let value = self.compute(id, env);
+        if id < self.own {
+            self.steps = before;
+        } else {
+            let operands = self.nodes[id].shape.operands();
+            self.charge(work::operation(value.value(), operands));
+        }
         match env {
             0 => self.closed[id] = Some(value.clone()),
             _ => drop(self.open.insert((id, env), value.clone())),
@@ -298,7 +376,7 @@ impl<'m> Store<'m> {
     fn running(&mut self, index: &Name, limits: [usize; 2], body: Id, env: Env) -> Residue {
         let bound = self.envs[env].clone();
         let mut integer = |place: usize| {
-            let expr = Rc::clone(&self.expressions[place]);
+            let expr = Rc::clone(&self.expressions[place].0);
             self.evaluator.with_indices(&bound, |e| e.integer(&expr))
         };
         let (Ok(from), Ok(to)) = (integer(limits[0]), integer(limits[1])) else {
@@ -337,6 +415,7 @@ impl<'m> Store<'m> {
 
     /// What the evaluator says of an expression.
     pub fn evaluated(&mut self, expr: &Expr, env: Env) -> Residue {
+        self.charge(work::evaluated(expr));
         let bound = self.envs[env].clone();
         let value = self.evaluator.with_indices(&bound, |e| e.expression(expr));
         let failure = match value {
@@ -359,7 +438,10 @@ impl<'m> Store<'m> {
             }
             Err(_) => return Residue::Absent,
         };
-        match value.try_map(|element| images.image(element)) {
+        let steps = work::exact(value.entries());
+        let image = value.try_map(|element| images.image(element));
+        self.charge(steps);
+        match image {
             Ok(value) => Residue::Is(value),
             Err(FailureKind::Unsupported { .. }) => Residue::Unknown,
             Err(_) => Residue::Absent,
