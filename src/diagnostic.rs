@@ -3,11 +3,13 @@
 //! The stages make [`Diagnostic`] values and never prose; the words and the source excerpt are
 //! made here and only here. All of a document's diagnostics are reported at once.
 
+mod printable;
 mod render;
 #[cfg(test)]
 mod tests;
 mod words;
 
+pub use printable::{printable, printable_line};
 pub use render::render;
 
 use crate::span::Span;
