@@ -3,3 +3,5 @@
 
 #[allow(dead_code)]
 mod common;
+#[path = "soundness/readings.rs"]
+mod readings;

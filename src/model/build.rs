@@ -1,6 +1,7 @@
 //! From a document to a model: tables first, then every equation's definitions, then its claims;
 //! all errors are collected before any is reported.
 
+use super::conditions::Conditions;
 use super::letters::{MOST_LETTERS, letters, reserve};
 use super::links::{self, Place};
 use super::matrices::{self, MatrixSymbol};
@@ -11,7 +12,7 @@ use super::{
     Covariance, Definition, DefinitionKind, Equation, Hypothesis, Letter, Model, Node, Notation,
     NotationKind, Role, Symbol, System,
 };
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::{self, Diagnostic, DiagnosticKind};
 use crate::document::{self, Document, Instance, MatrixShape};
 use crate::expr::{Bracket, Display, Expr, ExprKind, Name, Relation};
 use crate::latex::{self, Signature};
@@ -65,6 +66,8 @@ pub(super) struct Builder {
     /// The covariances of the notation, which stand for themselves where nothing else gives their
     /// names a value.
     covariances: Vec<(Name, Node, Span)>,
+    /// The names that equations which cannot be read begin with.
+    unread: BTreeSet<String>,
     /// Where each name got its meaning, for the second place of a duplicate.
     places: BTreeMap<String, Span>,
 }
@@ -341,10 +344,22 @@ impl Builder {
     fn equations(&mut self, document: &Document, signature: &Signature) {
         for equation in &document.equations {
             let body = &equation.body;
-            let result = latex::parse_display(&body.text, body.span.start, signature);
-            let Some(display) = self.keep(result) else {
+            let result = latex::parse_printed(&body.text, body.span.start, signature);
+            let Some((mut display, readings)) = self.keep(result) else {
+                // What it would define is not undeclared as well.
+                self.unread.extend(latex::heads(&body.text));
                 continue;
             };
+            let mut settings = equation.settings.clone();
+            let conditions = match equation.role {
+                document::Role::Claim => self.conditions(&mut display),
+                _ => Conditions::default(),
+            };
+            settings.assume.extend(conditions.texts);
+            if !matches!(equation.role, document::Role::Recall) {
+                let claim = matches!(equation.role, document::Role::Claim);
+                self.refuse_clauses(&display, claim);
+            }
             let given = equation
                 .settings
                 .given
@@ -356,6 +371,7 @@ impl Builder {
                 .assume
                 .iter()
                 .flat_map(|text| self.hypotheses(text, signature))
+                .chain(conditions.hypotheses)
                 .collect();
             let role = match &equation.role {
                 document::Role::Define => Role::Define,
@@ -393,9 +409,10 @@ impl Builder {
                 defines: vec![None; links.len()],
                 links,
                 display,
-                settings: equation.settings.clone(),
+                settings,
                 given,
                 assume,
+                readings,
                 span: body.span,
             });
         }
@@ -497,6 +514,7 @@ impl Builder {
         };
         let index = self.definitions.len();
         let mut place = target.right;
+        let left = left.clone();
         let (name, kind) = match &left.kind {
             // The value of a process at a number is given, or gives a name its meaning.
             ExprKind::Apply {
@@ -541,6 +559,9 @@ impl Builder {
         if !always && self.has_meaning(&name, &kind) {
             return;
         }
+        if !self.can_be_defined(equation, link, &name, &kind, left.span) {
+            return;
+        }
         let node = Node::Definition(index);
         match &kind {
             DefinitionKind::Whole => self.bind(&name, node, left.span),
@@ -568,9 +589,43 @@ impl Builder {
             kind,
             equation,
             place,
-            arguments: self.declared_arguments(left),
+            arguments: self.declared_arguments(&left),
+            head: match &left.kind {
+                ExprKind::Apply { arguments, .. } if target.left != place => {
+                    Some(arguments.clone())
+                }
+                _ => None,
+            },
             letter: None,
         });
+    }
+
+    /// Whether an equation may give this name its value: a claim only where more than the name rests
+    /// on it, and nobody an index that is computed from letters without a range.
+    fn can_be_defined(
+        &mut self,
+        equation: usize,
+        link: usize,
+        name: &Name,
+        kind: &DefinitionKind,
+        span: Span,
+    ) -> bool {
+        let whole = matches!(kind, DefinitionKind::Whole | DefinitionKind::Power(_));
+        let indices = name.subscript.iter().flat_map(|s| &s.indices);
+        let mut computed = indices.filter(|i| matches!(i.kind, ExprKind::Sum(_)));
+        let computed = whole && computed.any(|i| names::literal_integer(i).is_none());
+        let of = &self.equations[equation];
+        let target = of.links[link];
+        let labels = matches!(target.right, Place::Body { .. });
+        let clause = &of.display.clauses[target.left.clause()];
+        let where_ = matches!(clause.joined.as_deref(), Some("where" | "with"));
+        let claimed = of.role == Role::Claim && !labels;
+        if claimed && clause.chain.members.len() < 3 && !where_ || computed {
+            let name = latex::canonical(name);
+            self.error(DiagnosticKind::Undefined { name }, span);
+            return false;
+        }
+        true
     }
 
     /// The arguments of `f(x, y)` on a left side, where all of them are declared symbols.
@@ -728,6 +783,8 @@ impl Builder {
             signature,
         };
         report.extend(model.check_names());
+        report.sort_by_key(|d| d.span);
+        let mut report = diagnostic::one_for_each_cause(report, &document.text, self.unread);
         if report.is_empty() {
             report.extend(model.find_cycles());
         }
