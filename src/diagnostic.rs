@@ -131,13 +131,6 @@ pub enum DiagnosticKind {
         /// The limit.
         limit: usize,
     },
-    /// The first or last value of a sum or of indices that is no whole number within the limit.
-    Bound {
-        /// As printed.
-        bound: String,
-        /// The largest size.
-        limit: u32,
-    },
     /// A name that a claim begins with and nothing declares or defines.
     Undefined {
         /// The name as printed.
@@ -150,6 +143,11 @@ pub enum DiagnosticKind {
         /// The clause as printed.
         clause: String,
     },
+    /// More equations in one display than are read.
+    TooManyClauses {
+        /// The limit.
+        limit: usize,
+    },
     /// A line that looks like the beginning of a fence and is none.
     NoFence {
         /// The line.
@@ -157,8 +155,10 @@ pub enum DiagnosticKind {
         /// How it should begin.
         expected: String,
     },
-    /// A document longer than is read.
+    /// A document, or a display in it, that is longer than is read.
     TooLong {
+        /// What.
+        what: &'static str,
         /// Its size in bytes.
         bytes: usize,
         /// The limit.

@@ -127,7 +127,8 @@ impl Document {
     pub fn parse(name: &str, text: &str) -> Result<Document, Vec<Diagnostic>> {
         if text.len() > LARGEST_DOCUMENT {
             let (bytes, limit) = (text.len(), LARGEST_DOCUMENT);
-            let kind = DiagnosticKind::TooLong { bytes, limit };
+            let what = "a document";
+            let kind = DiagnosticKind::TooLong { what, bytes, limit };
             return Err(vec![Diagnostic::new(kind, Span::default())]);
         }
         let scanned = markdown::scan(text);

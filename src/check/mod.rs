@@ -18,6 +18,7 @@ mod link;
 mod order;
 mod part;
 mod proof;
+mod recalled;
 mod relations;
 mod repair;
 mod scope;
@@ -27,6 +28,8 @@ mod stationary;
 pub(crate) mod trial;
 mod units;
 mod witness;
+
+pub(crate) use recalled::recalled_and_false;
 
 use crate::diagnostic::Diagnostic;
 use crate::domain::Symbolic;

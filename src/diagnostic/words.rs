@@ -132,11 +132,6 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "too long".into(),
             "write it with a power of ten, or by a letter with a value".into(),
         ),
-        DiagnosticKind::Bound { bound, limit } => (
-            format!("{} cannot be the bound of a sum", quote(bound)),
-            "no whole number".into(),
-            format!("a sum runs between whole numbers of size at most {limit}"),
-        ),
         DiagnosticKind::Undefined { name } => (
             format!("nothing says what {} is", quote(name)),
             "not declared, and a claim gives no name its value".into(),
@@ -161,10 +156,15 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "would be passed over".into(),
             format!("begin the line with {expected}, not indented, after the fence before it is closed"),
         ),
-        DiagnosticKind::TooLong { bytes, limit } => (
-            format!("a document of {bytes} bytes; at most {limit} are read"),
+        DiagnosticKind::TooLong { what, bytes, limit } => (
+            format!("{what} of {bytes} bytes; at most {limit} are read"),
             String::new(),
-            "split it by its sections".into(),
+            "split it into several".into(),
+        ),
+        DiagnosticKind::TooManyClauses { limit } => (
+            format!("more than {limit} equations in one display"),
+            "from here on".into(),
+            "give them fences of their own".into(),
         ),
         DiagnosticKind::DuplicateLabel { label } => (
             format!("{} is used twice", quote(label)),

@@ -37,7 +37,9 @@ pub(super) fn lookalikes(text: &str, fences: &[Fence], comments: &[Span]) -> Vec
         let begins = around.is_some_and(|f| f.info.start <= span.end && f.info.start >= span.start);
         let suspected = match around {
             // The language of a fence that Markdown sees.
-            Some(_) if begins => !is_language(info) && is_nearly_ours(info),
+            Some(f) if begins => {
+                !is_language(&text[f.info.start..f.info.end]) && is_nearly_ours(info)
+            }
             // Inside of another one, which a line of so many marks would close.
             Some(fence) => fence.mark == mark && count >= fence.count && is_nearly_ours(info),
             None => is_nearly_ours(info),

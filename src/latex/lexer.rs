@@ -10,6 +10,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::Bracket;
 use crate::span::Span;
 
+/// The longest length after a line break, such as `[2pt]`, in characters.
+const LONGEST_SKIP: usize = 40;
+
 /// A pair of delimiters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Delimiter {
@@ -349,7 +352,8 @@ impl Lexer<'_> {
         let Some(inner) = rest.strip_prefix('[') else {
             return;
         };
-        let Some(close) = inner.find(']') else {
+        let near = inner.char_indices().take(LONGEST_SKIP);
+        let Some((close, _)) = near.into_iter().find(|(_, c)| *c == ']') else {
             return;
         };
         let length = inner[..close].trim();

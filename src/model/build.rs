@@ -14,7 +14,7 @@ use super::{
 };
 use crate::diagnostic::{self, Diagnostic, DiagnosticKind};
 use crate::document::{self, Document, Instance, MatrixShape};
-use crate::expr::{Bracket, Display, Expr, ExprKind, Name, Relation};
+use crate::expr::{Bracket, Expr, ExprKind, Name, Relation};
 use crate::latex::{self, Signature};
 use crate::span::Span;
 use num_traits::ToPrimitive;
@@ -501,39 +501,36 @@ impl Builder {
     /// Makes the left side of a link a definition if it is a name; unless `always`, only when the
     /// name has no meaning yet.
     fn define(&mut self, equation: usize, link: usize, always: bool) {
-        // Taken out for a while: a display of thousands of links is not copied for each of them.
-        let display = std::mem::take(&mut self.equations[equation].display);
-        self.define_in(&display, equation, link, always);
-        self.equations[equation].display = display;
-    }
-
-    fn define_in(&mut self, display: &Display, equation: usize, link: usize, always: bool) {
+        let index = self.definitions.len();
+        if index > MOST_LETTERS {
+            // Refused in the end; until then nothing grows with it.
+            return;
+        }
         let target = self.equations[equation].links[link];
-        let Some(left) = target.left.find(display) else {
+        let display = &self.equations[equation].display;
+        let Some(left) = target.left.find(display).cloned() else {
             return;
         };
-        let index = self.definitions.len();
+        let right_name = match target.right.find(display).map(|right| &right.kind) {
+            Some(ExprKind::Name(name)) => Some(name.clone()),
+            _ => None,
+        };
+        let ranges = display.clauses[target.left.clause()].ranges.clone();
         let mut place = target.right;
-        let left = left.clone();
         let (name, kind) = match &left.kind {
             // The value of a process at a number is given, or gives a name its meaning.
             ExprKind::Apply {
                 function,
                 arguments,
-            } if always && let [ExprKind::Number(at)] = &kinds(arguments)[..] => {
-                match target.right.find(display).map(|right| &right.kind) {
-                    Some(ExprKind::Name(name))
-                        if !self.has_meaning(name, &DefinitionKind::Whole) =>
-                    {
-                        place = target.left;
-                        (name.clone(), DefinitionKind::Whole)
-                    }
-                    _ => (function.clone(), DefinitionKind::ValueAt((*at).clone())),
+            } if always && let [ExprKind::Number(at)] = &kinds(arguments)[..] => match right_name {
+                Some(name) if !self.has_meaning(&name, &DefinitionKind::Whole) => {
+                    place = target.left;
+                    (name, DefinitionKind::Whole)
                 }
-            }
+                _ => (function.clone(), DefinitionKind::ValueAt((*at).clone())),
+            },
             ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
-                let ranges = &display.clauses[target.left.clause()].ranges;
-                match self.running_indices(name, ranges) {
+                match self.running_indices(name, &ranges) {
                     Some((indices, ranges)) => {
                         (name.clone(), DefinitionKind::Family { indices, ranges })
                     }

@@ -26,11 +26,14 @@ impl Builder {
         let mut found = Conditions::default();
         let clauses = &display.clauses;
         let mut conditional = vec![false; clauses.len()];
-        let mut claims = false;
+        let (mut claims, mut equations) = (false, false);
         for (k, clause) in clauses.iter().enumerate() {
             let continued = k > 0 && conditional[k - 1];
-            conditional[k] = self.is_condition(clause, claims, continued);
-            claims |= !conditional[k] && !clause.chain.relations.is_empty();
+            conditional[k] = self.is_condition(clause, equations, continued);
+            let claimed = !conditional[k] && !clause.chain.relations.is_empty();
+            claims |= claimed;
+            // After `b > 0`, `c > 0` is another claim like it.
+            equations |= claimed && !(self.is_order(&clause.chain) && self.is_plain(&clause.chain));
         }
         if !claims {
             return found;
@@ -106,7 +109,7 @@ impl Builder {
         }
     }
 
-    fn is_condition(&self, clause: &Clause, claims: bool, continued: bool) -> bool {
+    fn is_condition(&self, clause: &Clause, equations: bool, continued: bool) -> bool {
         let chain = &clause.chain;
         if chain.relations.is_empty() {
             return false;
@@ -115,7 +118,7 @@ impl Builder {
         let by_word = word.is_some_and(latex::is_condition) || word == Some("and") && continued;
         let defines = matches!(word, Some("where" | "with"));
         if self.is_order(chain) {
-            by_word || (claims || defines) && self.is_plain(chain)
+            by_word || (equations || defines) && self.is_plain(chain)
         } else if chain.relations.iter().all(|r| *r == Relation::Equal) {
             by_word && word != Some("and") || defines && self.is_letter(&chain.members[0])
         } else {
