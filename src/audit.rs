@@ -23,6 +23,24 @@ pub struct Audit {
     pub units: Vec<UnitFinding>,
     /// The figures, computed from the equations as corrected.
     pub figures: Vec<Figure>,
+    /// The recalled links, by equation and number of the link, that are false as identities: said
+    /// beside them, and never counted as checked.
+    pub recalled_and_false: Vec<(usize, usize)>,
+}
+
+/// What became of the links of a document: each is one of these.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// With a verdict that was computed: true, true given a relation, or false.
+    pub checked: usize,
+    /// Give names their values; nothing to check.
+    pub defined: usize,
+    /// Only stated.
+    pub recalled: usize,
+    /// Neither shown true nor false.
+    pub undecided: usize,
+    /// Announced equation numbers that stand in no fence.
+    pub not_read: usize,
 }
 
 /// How many of the numbered equations have a verdict that was computed.
@@ -75,13 +93,36 @@ impl Audit {
         check_mends(&model, &verdicts).map_err(reject)?;
         let (of_names, units) = unit::audit(&model);
         let figures = figure::figures(&model, &verdicts.links, of_names).map_err(reject)?;
+        let recalled_and_false = check::recalled_and_false(&model, options);
         Ok(Audit {
             model,
             outcomes: verdicts.links,
             statements: verdicts.statements,
             units,
             figures,
+            recalled_and_false,
         })
+    }
+
+    /// What became of the links.
+    pub fn counts(&self) -> Counts {
+        let mut counts = Counts {
+            not_read: self.coverage().absent.len(),
+            ..Counts::default()
+        };
+        for outcome in &self.outcomes {
+            *match outcome.verdict.word() {
+                VerdictWord::Holds
+                | VerdictWord::HoldsGiven
+                | VerdictWord::Misprint
+                | VerdictWord::Refuted
+                | VerdictWord::Loose => &mut counts.checked,
+                VerdictWord::Definition => &mut counts.defined,
+                VerdictWord::Recalled => &mut counts.recalled,
+                VerdictWord::Undecided => &mut counts.undecided,
+            } += 1;
+        }
+        counts
     }
 
     /// Which of the announced equation numbers have a verdict.

@@ -3,14 +3,17 @@
 //! The stages make [`Diagnostic`] values and never prose; the words and the source excerpt are
 //! made here and only here. All of a document's diagnostics are reported at once.
 
+mod printable;
 mod render;
 #[cfg(test)]
 mod tests;
 mod words;
 
+pub use printable::{printable, printable_line};
 pub use render::render;
 
 use crate::span::Span;
+use std::collections::BTreeSet;
 
 /// One thing that is wrong with a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -121,6 +124,46 @@ pub enum DiagnosticKind {
         /// As written.
         text: String,
     },
+    /// A number with more digits than are read.
+    LongNumber {
+        /// How many it has.
+        digits: usize,
+        /// The limit.
+        limit: usize,
+    },
+    /// A name that a claim begins with and nothing declares or defines.
+    Undefined {
+        /// The name as printed.
+        name: String,
+    },
+    /// Alternatives, of which one is true, where every equation must hold.
+    Alternatives,
+    /// A clause that says nothing, such as a number alone.
+    SaysNothing {
+        /// The clause as printed.
+        clause: String,
+    },
+    /// More equations in one display than are read.
+    TooManyClauses {
+        /// The limit.
+        limit: usize,
+    },
+    /// A line that looks like the beginning of a fence and is none.
+    NoFence {
+        /// The line.
+        line: String,
+        /// How it should begin.
+        expected: String,
+    },
+    /// A document, or a display in it, that is longer than is read.
+    TooLong {
+        /// What.
+        what: &'static str,
+        /// Its size in bytes.
+        bytes: usize,
+        /// The limit.
+        limit: usize,
+    },
     /// An equation number, or a table of which there is one, used twice.
     DuplicateLabel {
         /// The number.
@@ -226,4 +269,34 @@ pub enum DiagnosticKind {
         /// The words.
         message: String,
     },
+}
+
+/// One diagnostic for each cause: a name or command that occurs again is the same fault.
+/// `unread` are the names that what cannot be read might have given a meaning.
+pub(crate) fn one_for_each_cause(
+    report: Vec<Diagnostic>,
+    text: &str,
+    unread: BTreeSet<String>,
+) -> Vec<Diagnostic> {
+    let mut known = unread;
+    for diagnostic in &report {
+        if let DiagnosticKind::Undefined { name } = &diagnostic.kind {
+            known.insert(name.clone());
+        }
+    }
+    let mut seen = BTreeSet::new();
+    let first = |diagnostic: &Diagnostic| match &diagnostic.kind {
+        DiagnosticKind::UndeclaredName { name } => {
+            !known.contains(name) && seen.insert((0, name.clone()))
+        }
+        DiagnosticKind::Undefined { name } => seen.insert((1, name.clone())),
+        DiagnosticKind::UnknownCommand { command } => seen.insert((2, command.clone())),
+        DiagnosticKind::Ambiguous { readings } => {
+            let printed = text.get(diagnostic.span.start..diagnostic.span.end);
+            let cause = format!("{}\n{}", printed.unwrap_or_default(), readings.join("\n"));
+            seen.insert((3, cause))
+        }
+        _ => true,
+    };
+    report.into_iter().filter(first).collect()
 }

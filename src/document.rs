@@ -6,6 +6,7 @@
 
 mod equation;
 pub mod figure;
+mod lookalike;
 mod markdown;
 mod number;
 mod numeric;
@@ -28,11 +29,12 @@ pub use size::{Instance, Size, instance_text};
 pub use statement::{Meaning, Predicate, Statement};
 pub use symbols::{MatrixShape, Notation, NotationKind, Structure, Symbol};
 
-use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
+use crate::diagnostic::{self, Diagnostic, DiagnosticKind, Rejection};
+use crate::latex;
 use crate::span::Span;
 use markdown::Fence;
 use num_rational::BigRational;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 use std::path::Path;
 use table::Fields;
@@ -123,9 +125,19 @@ impl Document {
 
     /// Decodes a text; on failure every error of the document is in the list, by place.
     pub fn parse(name: &str, text: &str) -> Result<Document, Vec<Diagnostic>> {
-        let (fences, heading) = markdown::scan(text);
+        if text.len() > LARGEST_DOCUMENT {
+            let (bytes, limit) = (text.len(), LARGEST_DOCUMENT);
+            let what = "a document";
+            let kind = DiagnosticKind::TooLong { what, bytes, limit };
+            return Err(vec![Diagnostic::new(kind, Span::default())]);
+        }
+        let scanned = markdown::scan(text);
+        let heading = scanned.title;
         let mut reader = Reader::new(text);
-        for fence in &fences {
+        let lookalikes = lookalike::lookalikes(text, &scanned.fences, &scanned.comments);
+        reader.counts = !lookalikes.is_empty();
+        reader.report.extend(lookalikes);
+        for fence in &scanned.fences {
             reader.fence(fence);
         }
         reader.attach_settings();
@@ -135,8 +147,15 @@ impl Document {
         }
         let mut report = reader.report;
         if !report.is_empty() {
+            // What is wrong with the characters of the equations, whatever the letters are.
+            let bodies = reader.equations.iter().map(|equation| &equation.body);
+            report.extend(bodies.flat_map(|body| latex::misprints(&body.text, body.span.start)));
             report.sort_by_key(|diagnostic| diagnostic.span);
-            return Err(report);
+            return Err(diagnostic::one_for_each_cause(
+                report,
+                text,
+                BTreeSet::new(),
+            ));
         }
         Ok(Document {
             name: name.into(),
@@ -209,6 +228,12 @@ impl Document {
     }
 }
 
+/// The largest document that is read, in bytes.
+pub const LARGEST_DOCUMENT: usize = 4 << 20;
+
+/// The first words of the fences that count.
+const LANGUAGES: [&str; 3] = ["math", "statement", "toml"];
+
 /// The tables that are not the settings of an equation.
 const TABLES: [&str; 5] = ["document", "symbols", "notation", "numeric", "figure"];
 
@@ -277,7 +302,7 @@ impl<'t> Reader<'t> {
 
     fn fence(&mut self, fence: &Fence) {
         let (language, rest) = split_word(self.text, fence.info);
-        if !matches!(language.text.as_str(), "math" | "statement" | "toml") {
+        if !LANGUAGES.contains(&language.text.as_str()) {
             return;
         }
         self.counts = true;

@@ -363,6 +363,8 @@ pub struct IndexRange {
 pub struct Clause {
     /// The heading before it, as in `\text{I:}`.
     pub heading: Option<String>,
+    /// The word that joins it to the clause before it, such as "for" or "where"; none for a comma.
+    pub joined: Option<String>,
     /// The chain; a chain of one member is a bare expression such as `a_i, i = 1(1)4`.
     pub chain: Chain,
     /// The ranges of its indices.

@@ -3,15 +3,17 @@
 
 #[allow(dead_code)]
 mod common;
+#[path = "soundness/corrections.rs"]
+mod corrections;
 #[path = "soundness/enclosures.rs"]
 mod enclosures;
 #[path = "soundness/functions.rs"]
 mod functions;
 #[path = "soundness/limits.rs"]
 mod limits;
+#[path = "soundness/readings.rs"]
+mod readings;
 #[path = "soundness/signs.rs"]
 mod signs;
 #[path = "soundness/statements.rs"]
 mod statements;
-#[path = "soundness/corrections.rs"]
-mod corrections;

@@ -20,6 +20,7 @@ mod link;
 mod order;
 mod part;
 mod proof;
+mod recalled;
 mod relations;
 mod repair;
 mod scope;
@@ -29,6 +30,8 @@ mod stationary;
 pub(crate) mod trial;
 mod units;
 mod witness;
+
+pub(crate) use recalled::recalled_and_false;
 
 use crate::diagnostic::Diagnostic;
 use crate::domain::Symbolic;

@@ -1,11 +1,13 @@
 //! Diagnostics for a reader: file, line, column, the source excerpt and what to do.
+//!
+//! Invariant: whatever of the document, or of its name, is repeated goes through
+//! [`printable`], so that nothing in it acts on the terminal.
 
 use super::words::{Words, words};
-use super::{Diagnostic, Rejection};
+use super::{Diagnostic, Rejection, printable, printable_line};
 use crate::span::Span;
-use annotate_snippets::{
-    Annotation, AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str,
-};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Most diagnostics that are shown; the rest is counted.
@@ -38,7 +40,7 @@ pub fn render(name: &str, text: &str, diagnostics: &[Diagnostic], colour: bool) 
     } else {
         Renderer::plain()
     };
-    let name = normalize_untrusted_str(name);
+    let name = printable_line(name);
     let mut out = String::new();
     for diagnostic in diagnostics.iter().take(SHOWN_LIMIT) {
         let words = words(&diagnostic.kind);
@@ -55,14 +57,15 @@ pub fn render(name: &str, text: &str, diagnostics: &[Diagnostic], colour: bool) 
 }
 
 fn group<'a>(name: &'a str, text: &'a str, diagnostic: &Diagnostic, words: &Words) -> Group<'a> {
-    let title = Level::ERROR.primary_title(normalize_untrusted_str(&words.title));
+    let line = |words: &str| printable_line(words).into_owned();
+    let title = Level::ERROR.primary_title(line(&words.title));
     let mut group = if text.is_empty() {
         title.element(Snippet::<Annotation<'_>>::source("").path(name))
     } else {
         let excerpt = Excerpt::around(text, diagnostic.span, diagnostic.related);
         let mut primary = AnnotationKind::Primary.span(excerpt.range(diagnostic.span));
         if !words.label.is_empty() {
-            primary = primary.label(normalize_untrusted_str(&words.label));
+            primary = primary.label(line(&words.label));
         }
         let related = diagnostic.related.map(|span| {
             AnnotationKind::Context
@@ -70,7 +73,7 @@ fn group<'a>(name: &'a str, text: &'a str, diagnostic: &Diagnostic, words: &Word
                 .label(words.related)
         });
         title.element(
-            Snippet::source(excerpt.text)
+            Snippet::source(excerpt.shown())
                 .path(name)
                 .line_start(excerpt.first_line)
                 .annotation(primary)
@@ -78,7 +81,7 @@ fn group<'a>(name: &'a str, text: &'a str, diagnostic: &Diagnostic, words: &Word
         )
     };
     if !words.help.is_empty() {
-        group = group.element(Level::HELP.message(normalize_untrusted_str(&words.help)));
+        group = group.element(Level::HELP.message(line(&words.help)));
     }
     group
 }
@@ -104,9 +107,21 @@ impl<'a> Excerpt<'a> {
         }
     }
 
+    /// The lines as they are shown.
+    fn shown(&self) -> Cow<'a, str> {
+        printable(self.text)
+    }
+
+    /// Where the place stands in what is shown.
     fn range(&self, span: Span) -> std::ops::Range<usize> {
-        let start = boundary(self.text, span.start - self.start);
-        start..boundary(self.text, span.end.max(span.start) - self.start).max(start)
+        let length = self.shown().len();
+        let shown = |at: usize| {
+            let at = boundary(self.text, at.saturating_sub(self.start));
+            // Between the two characters of a line end of Windows the prefix is the longer one.
+            boundary(&self.shown(), printable(&self.text[..at]).len().min(length))
+        };
+        let start = shown(span.start);
+        start..shown(span.end.max(span.start)).max(start)
     }
 }
 

@@ -223,6 +223,41 @@ fn every_kind_has_words() {
             },
             "from 2 to 1",
         ),
+        (
+            DiagnosticKind::LongNumber {
+                digits: 2000,
+                limit: 1000,
+            },
+            "a number of 2000 digits; at most 1000",
+        ),
+        (
+            DiagnosticKind::Undefined { name: s() },
+            "write `define` instead of `claim`",
+        ),
+        (DiagnosticKind::Alternatives, "joined by `or`"),
+        (
+            DiagnosticKind::SaysNothing { clause: s() },
+            "`stuff` alone says nothing",
+        ),
+        (
+            DiagnosticKind::NoFence {
+                line: s(),
+                expected: "```math LABEL ROLE".into(),
+            },
+            "looks like a fence and is none",
+        ),
+        (
+            DiagnosticKind::TooLong {
+                what: "a document",
+                bytes: 9,
+                limit: 8,
+            },
+            "a document of 9 bytes",
+        ),
+        (
+            DiagnosticKind::TooManyClauses { limit: 8 },
+            "more than 8 equations",
+        ),
         (DiagnosticKind::EmptyDocument, "nothing to check"),
         (DiagnosticKind::NotUtf8, "not UTF-8"),
         (

@@ -127,6 +127,45 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "write a whole number, a decimal or a fraction: \"1200\", \"0.35\", \"7/20\", \"1e-6\""
                 .into(),
         ),
+        DiagnosticKind::LongNumber { digits, limit } => (
+            format!("a number of {digits} digits; at most {limit} are read"),
+            "too long".into(),
+            "write it with a power of ten, or by a letter with a value".into(),
+        ),
+        DiagnosticKind::Undefined { name } => (
+            format!("nothing says what {} is", quote(name)),
+            "not declared, and a claim gives no name its value".into(),
+            "write `define` instead of `claim` if this equation defines it; else correct the name, or \
+             declare it in the `toml symbols` table"
+                .into(),
+        ),
+        DiagnosticKind::Alternatives => (
+            "equations joined by `or`: each equation of a display must hold".into(),
+            "an alternative".into(),
+            "write one claim that covers both, such as x^2 = a^2, or each with its condition".into(),
+        ),
+        DiagnosticKind::SaysNothing { clause } => (
+            format!("{} alone says nothing that can be checked", quote(clause)),
+            "no relation".into(),
+            "a claim relates two things, as in a = b or a > 0; the values of an index are written \
+             i = 1, 2, \\ldots, n; what stands in a display without a claim is `recall`"
+                .into(),
+        ),
+        DiagnosticKind::NoFence { line, expected } => (
+            format!("this line looks like a fence and is none: {}", quote(line)),
+            "would be passed over".into(),
+            format!("begin the line with {expected}, not indented, after the fence before it is closed"),
+        ),
+        DiagnosticKind::TooLong { what, bytes, limit } => (
+            format!("{what} of {bytes} bytes; at most {limit} are read"),
+            String::new(),
+            "split it into several".into(),
+        ),
+        DiagnosticKind::TooManyClauses { limit } => (
+            format!("more than {limit} equations in one display"),
+            "from here on".into(),
+            "give them fences of their own".into(),
+        ),
         DiagnosticKind::DuplicateLabel { label } => (
             format!("{} is used twice", quote(label)),
             "second time".into(),

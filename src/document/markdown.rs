@@ -18,10 +18,37 @@ pub(super) struct Fence {
     pub body_span: Span,
     /// Whether the closing fence is there.
     pub closed: bool,
+    /// The whole block with its fences.
+    pub whole: Span,
+    /// What the fence is made of, and how many.
+    pub mark: char,
+    /// How many marks.
+    pub count: usize,
 }
 
-/// All fenced blocks of a text in the order of reading, and the first heading of level one.
-pub(super) fn scan(text: &str) -> (Vec<Fence>, Option<String>) {
+/// What Markdown sees in a text.
+#[derive(Debug, Default)]
+pub(super) struct Scan {
+    /// All fenced blocks in the order of reading.
+    pub fences: Vec<Fence>,
+    /// The first heading of level one.
+    pub title: Option<String>,
+    /// What is commented out, in the order of reading.
+    pub comments: Vec<Span>,
+}
+
+/// A byte order mark, which editors put before a text and which is no part of it.
+const BYTE_ORDER_MARK: &str = "\u{feff}";
+
+/// Reads a text as Markdown.
+pub(super) fn scan(text: &str) -> Scan {
+    // As many blanks, so that every place stays what it is.
+    let blanked = text.strip_prefix(BYTE_ORDER_MARK).map(|rest| {
+        let blanks = " ".repeat(BYTE_ORDER_MARK.len());
+        format!("{blanks}{rest}")
+    });
+    let text = blanked.as_deref().unwrap_or(text);
+    let mut comments = Vec::new();
     let mut fences = Vec::new();
     let mut title: Option<String> = None;
     let mut heading: Option<String> = None;
@@ -31,6 +58,11 @@ pub(super) fn scan(text: &str) -> (Vec<Fence>, Option<String>) {
     for (event, range) in Parser::new(text).into_offset_iter() {
         let span = Span::new(range.start, range.end);
         match event {
+            Event::Start(Tag::HtmlBlock)
+                if text[range.clone()].trim_start().starts_with("<!--") =>
+            {
+                comments.push(span);
+            }
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_))) => open = Some((span, vec![])),
             Event::End(TagEnd::CodeBlock) => {
                 if let Some((whole, pieces)) = open.take() {
@@ -61,7 +93,11 @@ pub(super) fn scan(text: &str) -> (Vec<Fence>, Option<String>) {
             _ => {}
         }
     }
-    (fences, title)
+    Scan {
+        fences,
+        title,
+        comments,
+    }
 }
 
 /// The fence that covers `whole`, whose text stands at `pieces`.
@@ -95,6 +131,9 @@ fn fence(text: &str, whole: Span, pieces: &[Span]) -> Fence {
         body: blanked(text, body_span, pieces),
         body_span,
         closed,
+        whole,
+        mark,
+        count: ticks,
     }
 }
 
@@ -121,7 +160,7 @@ mod tests {
 
     /// Every fence keeps the invariant of the module.
     fn fences(text: &str) -> Vec<Fence> {
-        let (fences, _) = scan(text);
+        let Scan { fences, .. } = scan(text);
         for fence in &fences {
             assert_eq!(
                 fence.body.len(),
@@ -135,7 +174,7 @@ mod tests {
     fn bodies_stand_where_their_spans_say() {
         let text = "# A *title* with `code`\n\n```math 1 claim\na = b\nc\n```\n\n~~~~ toml 1\nx = 1\n~~~~\n";
         let found = fences(text);
-        assert_eq!(scan(text).1.as_deref(), Some("A title with code"));
+        assert_eq!(scan(text).title.as_deref(), Some("A title with code"));
         assert_eq!(found.len(), 2);
         assert_eq!(found[0].body, "a = b\nc\n");
         assert_eq!(

@@ -138,11 +138,7 @@ impl<D: Domain> Evaluator<'_, D> {
             let range = self.range_of(definition, &parameters);
             return self.applied(function, &parameters, &range, arguments, span);
         }
-        let plain = arguments.iter().all(|a| {
-            matches!(&a.kind, ExprKind::Name(n)
-                if self.model.is_argument_of(function, &latex::canonical(n)))
-        });
-        if plain {
+        if self.model.is_plain_application(function, arguments) {
             self.name(function, span)
         } else {
             Err(Failure::unsupported("a function at another argument", span))

@@ -6,6 +6,17 @@ use crate::expr::{Expr, ExprKind, Sign};
 use num_traits::ToPrimitive;
 
 impl<D: Domain> Evaluator<'_, D> {
+    /// The integer that the bound of a sum evaluates to; another bound makes nothing wrong.
+    pub(super) fn bound_of_sum(&mut self, expr: &Expr) -> Result<i64, Failure> {
+        self.integer(expr).map_err(|failure| match failure.kind {
+            FailureKind::Exponent { exponent, .. } => {
+                let what = format!("a sum that runs to or from {exponent}");
+                Failure::unsupported(&what, failure.span)
+            }
+            _ => failure,
+        })
+    }
+
     /// The integer that an index or exponent evaluates to.
     ///
     /// # Errors

@@ -333,7 +333,7 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 to,
                 body,
             } => {
-                let (from, to) = (self.integer(from)?, self.integer(to)?);
+                let (from, to) = (self.bound_of_sum(from)?, self.bound_of_sum(to)?);
                 if to.saturating_sub(from) > LARGEST_RANGE {
                     return Err(Failure::new(
                         FailureKind::Budget {

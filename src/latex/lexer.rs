@@ -10,6 +10,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::Bracket;
 use crate::span::Span;
 
+/// The longest length after a line break, such as `[2pt]`, in characters.
+const LONGEST_SKIP: usize = 40;
+
 /// A pair of delimiters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Delimiter {
@@ -87,12 +90,15 @@ impl Token {
     }
 }
 
-/// A token, where it stands, and whether a blank precedes it.
+/// A token, where it stands, and what precedes it.
 #[derive(Clone, Debug)]
 pub(super) struct Lexeme {
     pub token: Token,
     pub span: Span,
+    /// Whether a blank precedes it, which is not printed.
     pub spaced: bool,
+    /// Whether a space precedes it that is printed, such as `\,`.
+    pub gap: bool,
 }
 
 /// All lexemes of a text, or everything that is wrong with its characters.
@@ -102,6 +108,7 @@ pub(super) fn lex(text: &str, offset: usize) -> (Vec<Lexeme>, Vec<Diagnostic>) {
         offset,
         at: 0,
         spaced: false,
+        gap: false,
         lexemes: Vec::new(),
         diagnostics: Vec::new(),
     };
@@ -114,6 +121,7 @@ struct Lexer<'a> {
     offset: usize,
     at: usize,
     spaced: bool,
+    gap: bool,
     lexemes: Vec<Lexeme>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -129,12 +137,16 @@ impl Lexer<'_> {
 
     fn push(&mut self, token: Token, start: usize) {
         let span = self.span(start);
+        // A space of its own is a gap before what follows it too.
+        let space = matches!(token, Token::Space(_));
         self.lexemes.push(Lexeme {
             token,
             span,
             spaced: self.spaced,
+            gap: self.gap,
         });
         self.spaced = false;
+        self.gap = space;
     }
 
     fn complain(&mut self, kind: DiagnosticKind, start: usize) {
@@ -169,7 +181,7 @@ impl Lexer<'_> {
                 self.spaced = true;
                 continue;
             }
-            if c.is_ascii_digit() {
+            if c.is_ascii_digit() || c == '.' && self.digit_after(1) {
                 self.number(start);
                 continue;
             }
@@ -188,7 +200,7 @@ impl Lexer<'_> {
                 | '_' | '^' | '|' => self.push(Token::Symbol(c), start),
                 other => self.complain(
                     DiagnosticKind::Unexpected {
-                        found: other.to_string(),
+                        found: character(other),
                         expected: "a letter, a number, an operator or a LaTeX command".to_owned(),
                     },
                     start,
@@ -197,13 +209,43 @@ impl Lexer<'_> {
         }
     }
 
+    /// Whether a digit stands so many bytes on.
+    fn digit_after(&self, distance: usize) -> bool {
+        let next = self.text.as_bytes().get(self.at + distance);
+        next.is_some_and(u8::is_ascii_digit)
+    }
+
+    /// `12`, `1.5`, `.5`, and with the comma of a decimal or of thousands in a brace `1{,}5`.
     fn number(&mut self, start: usize) {
         let mut digits = self.take_while(|c| c.is_ascii_digit());
-        let rest = &self.text.as_bytes()[self.at..];
-        if rest.first() == Some(&b'.') && rest.get(1).is_some_and(u8::is_ascii_digit) {
+        if self.peek() == Some('.') && self.digit_after(1) {
             self.at += 1;
             digits.push('.');
             digits += &self.take_while(|c| c.is_ascii_digit());
+        }
+        let mut groups = Vec::new();
+        while self.text[self.at..].starts_with("{,}") && self.digit_after(3) {
+            self.at += 3;
+            groups.push(self.take_while(|c| c.is_ascii_digit()));
+        }
+        let thousands = (1..=3).contains(&digits.len())
+            && !digits.contains('.')
+            && groups.iter().all(|group| group.len() == 3);
+        match groups.as_slice() {
+            [] => {}
+            [_] if thousands => {
+                let readings = vec![
+                    "a decimal comma".to_owned(),
+                    "a comma of thousands".to_owned(),
+                ];
+                self.complain(DiagnosticKind::Ambiguous { readings }, start);
+            }
+            [decimals] if !digits.contains('.') => digits += &format!(".{decimals}"),
+            groups if thousands => digits += &groups.concat(),
+            _ => {
+                let text = self.text[start..self.at].to_owned();
+                self.complain(DiagnosticKind::BadNumber { text }, start);
+            }
         }
         self.push(Token::Number(digits), start);
     }
@@ -224,8 +266,13 @@ impl Lexer<'_> {
             "lbrack" => self.push(Token::Open(Delimiter::Visible(Bracket::Square)), start),
             "rbrack" => self.push(Token::Close(Delimiter::Visible(Bracket::Square)), start),
             "vert" | "lvert" | "rvert" => self.push(Token::Symbol('|'), start),
-            "thinspace" | "negthinspace" => {}
-            "hspace" | "label" | "vspace" => {
+            "thinspace" => self.gap = true,
+            "negthinspace" => {}
+            "hspace" => {
+                let width = self.raw_argument();
+                self.gap |= width.is_some_and(|width| !width.trim_start().starts_with('-'));
+            }
+            "label" | "vspace" => {
                 self.raw_argument();
             }
             "tag" => {
@@ -285,7 +332,8 @@ impl Lexer<'_> {
             }
             '{' => self.push(Token::Open(Delimiter::Visible(Bracket::Curly)), start),
             '}' => self.push(Token::Close(Delimiter::Visible(Bracket::Curly)), start),
-            ',' | '!' | '/' => {}
+            ',' => self.gap = true,
+            '!' | '/' => {}
             c if c.is_whitespace() || matches!(c, ';' | ':' | '>') => {
                 self.push(Token::Space(false), start);
             }
@@ -304,7 +352,8 @@ impl Lexer<'_> {
         let Some(inner) = rest.strip_prefix('[') else {
             return;
         };
-        let Some(close) = inner.find(']') else {
+        let near = inner.char_indices().take(LONGEST_SKIP);
+        let Some((close, _)) = near.into_iter().find(|(_, c)| *c == ']') else {
             return;
         };
         let length = inner[..close].trim();
@@ -434,5 +483,15 @@ impl Lexer<'_> {
             self.raw_argument();
         }
         self.push(Token::Begin(environment), start);
+    }
+}
+
+/// A character that the fragment does not have, with its code point where it might be taken for
+/// another one.
+fn character(c: char) -> String {
+    if c.is_ascii_graphic() {
+        c.to_string()
+    } else {
+        format!("{c} (U+{:04X})", u32::from(c))
     }
 }

@@ -6,8 +6,13 @@
 //! these, and what they do not decide is reported as ambiguous:
 //!
 //! - Juxtaposed factors are a product. A slash divides the whole juxtaposed product before it by
-//!   the whole juxtaposed product after it: `q/2de` is q/(2de); a second slash is ambiguous, and
-//!   `\cdot` ends the divisor.
+//!   the whole juxtaposed product after it: `q/2de` is q/(2de), a reading that is named (see
+//!   [`Reading`]); a second slash is ambiguous, and `\cdot` ends the divisor. A printed space ends a
+//!   divisor that is closed in itself (`1/2\, mv^2`); elsewhere in a divisor it is ambiguous, and so
+//!   is a number over a number with factors behind it (`1/2 mv^2`).
+//! - `d` over `dx` is a derivative; if the document has a letter `d`, a reading that is named where
+//!   something follows, and ambiguous otherwise. A whole superscript in brackets, `x^{(2)}`, is
+//!   ambiguous.
 //! - A sum sign, an integral and `d/dt` take the product that follows, up to the next plus or
 //!   minus; `\det`, `\operatorname{tr}`, `\mathrm{Re}` take one factor; `\cos` and its kin take
 //!   the juxtaposed letters and numbers that follow, or one bracket.
@@ -28,12 +33,23 @@ mod signature;
 mod vocabulary;
 mod writer;
 
+/// How something was read that could be read otherwise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reading {
+    /// What was read, in the document.
+    pub span: Span,
+    /// The reading, with the brackets that the print lacks.
+    pub latex: String,
+}
+
 pub use layout::DEPTH_LIMIT;
 pub use signature::Signature;
+pub(crate) use vocabulary::is_condition;
 pub use writer::{canonical, write_chain, write_display, write_expr, write_relation};
 
 use crate::diagnostic::Diagnostic;
 use crate::expr::{Chain, Display, Expr, Name};
+use crate::span::Span;
 use parser::Parser;
 
 /// Reads everything that stands under one equation number. `offset` is the place of `text` in
@@ -43,13 +59,22 @@ pub fn parse_display(
     offset: usize,
     signature: &Signature,
 ) -> Result<Display, Vec<Diagnostic>> {
+    parse_printed(text, offset, signature).map(|(display, _)| display)
+}
+
+/// The same, with the readings that were chosen where the print leaves a choice.
+pub fn parse_printed(
+    text: &str,
+    offset: usize,
+    signature: &Signature,
+) -> Result<(Display, Vec<Reading>), Vec<Diagnostic>> {
     let layout = layout::prepare(text, offset, true)?;
     let tag = layout.tag.clone();
     let mut parser = Parser::new(layout, signature);
     let clauses = parser.display();
     parser
         .finish(clauses)
-        .map(|clauses| Display { clauses, tag })
+        .map(|(clauses, readings)| (Display { clauses, tag }, readings))
 }
 
 /// Reads one expression.
@@ -61,7 +86,7 @@ pub fn parse_expr(
     let layout = layout::prepare(text, offset, false)?;
     let mut parser = Parser::new(layout, signature);
     let expr = parser.whole(Parser::expression);
-    parser.finish(expr)
+    parser.finish(expr).map(|(expr, _)| expr)
 }
 
 /// Reads one chain of relations, such as `bd = ae`.
@@ -73,7 +98,7 @@ pub fn parse_chain(
     let layout = layout::prepare(text, offset, false)?;
     let mut parser = Parser::new(layout, signature);
     let chain = parser.whole(Parser::chain);
-    parser.finish(chain)
+    parser.finish(chain).map(|(chain, _)| chain)
 }
 
 /// Reads one name, with or without an index: a key of a table.
@@ -82,11 +107,26 @@ pub fn parse_name(text: &str, offset: usize) -> Result<Name, Vec<Diagnostic>> {
     let layout = layout::prepare(text, offset, false)?;
     let mut parser = Parser::new(layout, &signature);
     let name = parser.whole(Parser::lone_name);
-    parser.finish(name)
+    parser.finish(name).map(|(name, _)| name)
+}
+
+/// What is wrong with the characters of a display, its commands and delimiters, whatever its letters
+/// are.
+pub(crate) fn misprints(text: &str, offset: usize) -> Vec<Diagnostic> {
+    layout::prepare(text, offset, true)
+        .err()
+        .unwrap_or_default()
+}
+
+/// The names that the equations of a display begin with, in canonical form.
+pub(crate) fn heads(text: &str) -> impl Iterator<Item = String> {
+    heads_with_arguments(text)
+        .into_iter()
+        .map(|(name, _)| canonical(&name))
 }
 
 /// The names that a display defines, with their arguments.
-fn heads(text: &str) -> Vec<(Name, Vec<Name>)> {
+fn heads_with_arguments(text: &str) -> Vec<(Name, Vec<Name>)> {
     let Ok(layout) = layout::prepare(text, 0, true) else {
         return Vec::new();
     };

@@ -57,7 +57,7 @@ impl Signature {
     /// arguments, that stand alone on the left of an equals sign, and the names under its
     /// braces. A name defined so may still be a function of time: it is applied in `x(t)`. What is wrong with the display is for [`parse_display`](super::parse_display) to say.
     pub fn declare_definitions(&mut self, text: &str) {
-        for (name, arguments) in super::heads(text) {
+        for (name, arguments) in super::heads_with_arguments(text) {
             if arguments.is_empty() {
                 self.defined.insert(canonical(&name.undotted()));
                 if name.subscript.is_some() {
@@ -106,6 +106,11 @@ impl Signature {
     /// Whether the italic letter is declared, as a function or not.
     pub(super) fn knows_letter(&self, letter: &str) -> bool {
         self.names.contains(letter) || self.functions.contains_key(letter)
+    }
+
+    /// Whether the italic letter has a meaning in the document, by a table or by an equation.
+    pub(super) fn has_letter(&self, letter: &str) -> bool {
+        self.knows_letter(letter) || self.defined.contains(letter)
     }
 
     /// The bases of the letters that the name is a function of, as far as they are declared.

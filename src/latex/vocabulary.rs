@@ -134,9 +134,28 @@ pub(super) fn word_function(word: &str) -> Option<Function> {
 
 /// Words that only join one equation to the next.
 pub(super) fn is_conjunction(word: &str) -> bool {
+    is_condition(word) || matches!(word.trim(), "and" | "or" | "with" | "where" | "so that")
+}
+
+/// Words after which stands under what condition an equation is meant.
+pub(crate) fn is_condition(word: &str) -> bool {
     matches!(
-        word.trim(),
-        "and" | "or" | "for" | "with" | "where" | "if" | "when" | "so that"
+        word.trim().trim_end_matches(','),
+        "for"
+            | "for all"
+            | "for any"
+            | "for each"
+            | "for every"
+            | "if"
+            | "when"
+            | "whenever"
+            | "provided"
+            | "provided that"
+            | "as long as"
+            | "given"
+            | "given that"
+            | "assuming"
+            | "assuming that"
     )
 }
 

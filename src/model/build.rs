@@ -1,6 +1,7 @@
 //! From a document to a model: tables first, then every equation's definitions, then its claims;
 //! all errors are collected before any is reported.
 
+use super::conditions::Conditions;
 use super::letters::{MOST_LETTERS, letters, reserve};
 use super::links::{self, Place};
 use super::matrices::{self, MatrixSymbol};
@@ -11,9 +12,9 @@ use super::{
     Covariance, Definition, DefinitionKind, Equation, Hypothesis, Letter, Model, Node, Notation,
     NotationKind, Role, Symbol, System,
 };
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::{self, Diagnostic, DiagnosticKind};
 use crate::document::{self, Document, Instance, MatrixShape};
-use crate::expr::{Bracket, Display, Expr, ExprKind, Name, Relation};
+use crate::expr::{Bracket, Expr, ExprKind, Name, Relation};
 use crate::latex::{self, Signature};
 use crate::span::Span;
 use num_traits::ToPrimitive;
@@ -66,6 +67,8 @@ pub(super) struct Builder {
     /// The covariances of the notation, which stand for themselves where nothing else gives their
     /// names a value.
     covariances: Vec<(Name, Node, Span)>,
+    /// The names that equations which cannot be read begin with.
+    unread: BTreeSet<String>,
     /// Where each name got its meaning, for the second place of a duplicate.
     places: BTreeMap<String, Span>,
 }
@@ -367,10 +370,22 @@ impl Builder {
     fn equations(&mut self, document: &Document, signature: &Signature) {
         for equation in &document.equations {
             let body = &equation.body;
-            let result = latex::parse_display(&body.text, body.span.start, signature);
-            let Some(display) = self.keep(result) else {
+            let result = latex::parse_printed(&body.text, body.span.start, signature);
+            let Some((mut display, readings)) = self.keep(result) else {
+                // What it would define is not undeclared as well.
+                self.unread.extend(latex::heads(&body.text));
                 continue;
             };
+            let mut settings = equation.settings.clone();
+            let conditions = match equation.role {
+                document::Role::Claim => self.conditions(&mut display),
+                _ => Conditions::default(),
+            };
+            settings.assume.extend(conditions.texts);
+            if !matches!(equation.role, document::Role::Recall) {
+                let claim = matches!(equation.role, document::Role::Claim);
+                self.refuse_clauses(&display, claim);
+            }
             let given = equation
                 .settings
                 .given
@@ -382,6 +397,7 @@ impl Builder {
                 .assume
                 .iter()
                 .flat_map(|text| self.hypotheses(text, signature))
+                .chain(conditions.hypotheses)
                 .collect();
             let role = match &equation.role {
                 document::Role::Define => Role::Define,
@@ -419,9 +435,10 @@ impl Builder {
                 defines: vec![None; links.len()],
                 links,
                 display,
-                settings: equation.settings.clone(),
+                settings,
                 given,
                 assume,
+                readings,
                 span: body.span,
             });
         }
@@ -510,38 +527,36 @@ impl Builder {
     /// Makes the left side of a link a definition if it is a name; unless `always`, only when the
     /// name has no meaning yet.
     fn define(&mut self, equation: usize, link: usize, always: bool) {
-        // Taken out for a while: a display of thousands of links is not copied for each of them.
-        let display = std::mem::take(&mut self.equations[equation].display);
-        self.define_in(&display, equation, link, always);
-        self.equations[equation].display = display;
-    }
-
-    fn define_in(&mut self, display: &Display, equation: usize, link: usize, always: bool) {
+        let index = self.definitions.len();
+        if index > MOST_LETTERS {
+            // Refused in the end; until then nothing grows with it.
+            return;
+        }
         let target = self.equations[equation].links[link];
-        let Some(left) = target.left.find(display) else {
+        let display = &self.equations[equation].display;
+        let Some(left) = target.left.find(display).cloned() else {
             return;
         };
-        let index = self.definitions.len();
+        let right_name = match target.right.find(display).map(|right| &right.kind) {
+            Some(ExprKind::Name(name)) => Some(name.clone()),
+            _ => None,
+        };
+        let ranges = display.clauses[target.left.clause()].ranges.clone();
         let mut place = target.right;
         let (name, kind) = match &left.kind {
             // The value of a process at a number is given, or gives a name its meaning.
             ExprKind::Apply {
                 function,
                 arguments,
-            } if always && let [ExprKind::Number(at)] = &kinds(arguments)[..] => {
-                match target.right.find(display).map(|right| &right.kind) {
-                    Some(ExprKind::Name(name))
-                        if !self.has_meaning(name, &DefinitionKind::Whole) =>
-                    {
-                        place = target.left;
-                        (name.clone(), DefinitionKind::Whole)
-                    }
-                    _ => (function.clone(), DefinitionKind::ValueAt((*at).clone())),
+            } if always && let [ExprKind::Number(at)] = &kinds(arguments)[..] => match right_name {
+                Some(name) if !self.has_meaning(&name, &DefinitionKind::Whole) => {
+                    place = target.left;
+                    (name, DefinitionKind::Whole)
                 }
-            }
+                _ => (function.clone(), DefinitionKind::ValueAt((*at).clone())),
+            },
             ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
-                let ranges = &display.clauses[target.left.clause()].ranges;
-                match self.running_indices(name, ranges) {
+                match self.running_indices(name, &ranges) {
                     Some((indices, ranges)) => {
                         (name.clone(), DefinitionKind::Family { indices, ranges })
                     }
@@ -565,6 +580,9 @@ impl Builder {
             _ => return,
         };
         if !always && self.has_meaning(&name, &kind) {
+            return;
+        }
+        if !self.can_be_defined(equation, link, &name, &kind, left.span) {
             return;
         }
         let node = Node::Definition(index);
@@ -594,9 +612,43 @@ impl Builder {
             kind,
             equation,
             place,
-            arguments: self.declared_arguments(left),
+            arguments: self.declared_arguments(&left),
+            head: match &left.kind {
+                ExprKind::Apply { arguments, .. } if target.left != place => {
+                    Some(arguments.clone())
+                }
+                _ => None,
+            },
             letter: None,
         });
+    }
+
+    /// Whether an equation may give this name its value: a claim only where more than the name rests
+    /// on it, and nobody an index that is computed from letters without a range.
+    fn can_be_defined(
+        &mut self,
+        equation: usize,
+        link: usize,
+        name: &Name,
+        kind: &DefinitionKind,
+        span: Span,
+    ) -> bool {
+        let whole = matches!(kind, DefinitionKind::Whole | DefinitionKind::Power(_));
+        let indices = name.subscript.iter().flat_map(|s| &s.indices);
+        let mut computed = indices.filter(|i| matches!(i.kind, ExprKind::Sum(_)));
+        let computed = whole && computed.any(|i| names::literal_integer(i).is_none());
+        let of = &self.equations[equation];
+        let target = of.links[link];
+        let labels = matches!(target.right, Place::Body { .. });
+        let clause = &of.display.clauses[target.left.clause()];
+        let where_ = matches!(clause.joined.as_deref(), Some("where" | "with"));
+        let claimed = of.role == Role::Claim && !labels;
+        if claimed && clause.chain.members.len() < 3 && !where_ || computed {
+            let name = latex::canonical(name);
+            self.error(DiagnosticKind::Undefined { name }, span);
+            return false;
+        }
+        true
     }
 
     /// The arguments of `f(x, y)` on a left side, where all of them are declared symbols.
@@ -754,6 +806,8 @@ impl Builder {
             signature,
         };
         report.extend(model.check_names());
+        report.sort_by_key(|d| d.span);
+        let mut report = diagnostic::one_for_each_cause(report, &document.text, self.unread);
         if report.is_empty() {
             report.extend(model.find_cycles());
         }

@@ -49,16 +49,18 @@ impl Model {
                 .map(|r| latex::canonical(&r.index))
                 .chain(sizes.iter().cloned())
                 .collect();
+            let none = equation.settings.recalled_members.is_empty();
             let recalled = |member: usize| {
-                equation.links.iter().any(|l| {
-                    l.left.clause() == clause_index
-                        && equation.settings.recalled_members.contains_key(&l.member)
-                        && l.right
-                            == super::links::Place::Member {
-                                clause: clause_index,
-                                member,
-                            }
-                })
+                !none
+                    && equation.links.iter().any(|l| {
+                        l.left.clause() == clause_index
+                            && equation.settings.recalled_members.contains_key(&l.member)
+                            && l.right
+                                == super::links::Place::Member {
+                                    clause: clause_index,
+                                    member,
+                                }
+                    })
             };
             for (m, member) in clause.chain.members.iter().enumerate() {
                 if !recalled(m) {

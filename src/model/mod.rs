@@ -4,6 +4,7 @@
 //! needs itself (a family may need members with another index); each name has one meaning.
 
 mod build;
+mod conditions;
 mod cycles;
 mod letters;
 pub mod links;
@@ -16,7 +17,7 @@ use crate::document::{Document, Instance, Settings, Size, VerdictWord};
 use crate::domain::Symbolic;
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::{Constant, FunctionTable};
-use crate::latex::Signature;
+use crate::latex::{Reading, Signature};
 use crate::span::Span;
 use links::{Link, Place};
 use matrices::MatrixSymbol;
@@ -125,6 +126,8 @@ pub struct Definition {
     pub place: Place,
     /// The declared letters that it is defined as a function of.
     pub arguments: Vec<Name>,
+    /// What stands in the brackets after the name on the left; none for a bare name.
+    pub head: Option<Vec<Expr>>,
     /// The letter of the ring that stands for it where it is an abbreviation: a scalar defined
     /// by arithmetic on constant symbols and other abbreviations.
     pub letter: Option<usize>,
@@ -266,8 +269,10 @@ pub struct Equation {
     pub settings: Settings,
     /// The hypotheses that the author states.
     pub given: Vec<Hypothesis>,
-    /// The hypotheses that are printed around it.
+    /// The hypotheses that are printed around it, and the conditions in its own display.
     pub assume: Vec<Hypothesis>,
+    /// How it was read where the print leaves a choice, in the order of the text.
+    pub readings: Vec<Reading>,
     /// Where the printed equation stands.
     pub span: Span,
 }
@@ -401,6 +406,24 @@ impl Model {
         self.names.values.keys().any(|(_, number)| number == at)
     }
 
+    /// Whether a name with these arguments is no more than the name: a process at the letters that
+    /// it is a function of, or what an equation defines with exactly these arguments.
+    pub fn is_plain_application(&self, function: &Name, arguments: &[Expr]) -> bool {
+        if let Ok(names::Resolved::Node {
+            node: Node::Definition(d),
+            ..
+        }) = self.resolve(function, &|_| false)
+            && let Some(head) = &self.definitions[d].head
+            && !same_letters(head, arguments)
+        {
+            return false;
+        }
+        arguments.iter().all(|argument| match &argument.kind {
+            ExprKind::Name(name) => self.is_argument_of(function, &crate::latex::canonical(name)),
+            _ => false,
+        })
+    }
+
     /// Whether `argument` is the letter that this process is declared a function of.
     pub fn is_argument_of(&self, process: &Name, argument: &str) -> bool {
         let undotted = crate::latex::canonical(&process.undotted());
@@ -419,4 +442,17 @@ impl Equation {
     pub fn expected(&self, member: usize) -> Option<VerdictWord> {
         self.settings.expected(member)
     }
+}
+
+/// Whether two lists of arguments name the same letters in the same order.
+fn same_letters(head: &[Expr], arguments: &[Expr]) -> bool {
+    let letter = |e: &Expr| match &e.kind {
+        ExprKind::Name(name) => Some(crate::latex::canonical(name)),
+        _ => None,
+    };
+    head.len() == arguments.len()
+        && head
+            .iter()
+            .zip(arguments)
+            .all(|(a, b)| letter(a).is_some() && letter(a) == letter(b))
 }

@@ -191,7 +191,7 @@ impl Model {
             let indices: Vec<&Expr> = subscript.indices.iter().collect();
             let families = |n| self.names.families.contains_key(&(key.clone(), n));
             let matrix = self.matrix_behind(&key).is_some();
-            let members = self.names.elements.keys().any(|(k, _)| *k == key);
+            let members = self.has_member(&key, name);
             let index = indices.iter().all(|i| is_index(i, bound));
             if index && (families(indices.len()) || families(2) || matrix || members) {
                 return Ok(Resolved::Indexed { key, indices });
@@ -226,6 +226,15 @@ impl Model {
             found.push(Element::Entry(node, split));
         }
         found
+    }
+
+    /// Whether the letter has members of its own, and with literal indices this one: `P_{3,4}` is
+    /// not the declared letter `P_{34}`.
+    fn has_member(&self, key: &FamilyKey, name: &Name) -> bool {
+        match literal_indices(name) {
+            Some(indices) => self.names.elements.contains_key(&(key.clone(), indices)),
+            None => self.names.elements.keys().any(|(k, _)| k == key),
+        }
     }
 
     fn matrix_behind(&self, key: &FamilyKey) -> Option<Node> {

@@ -224,10 +224,7 @@ impl Resolver for Point<'_> {
     }
 
     fn is_plain_application(&self, function: &Name, arguments: &[Expr]) -> bool {
-        arguments.iter().all(|argument| {
-            matches!(&argument.kind, ExprKind::Name(name)
-                if self.model.is_argument_of(function, &latex::canonical(name)))
-        })
+        self.model.is_plain_application(function, arguments)
     }
 
     fn parameters(&self, function: &Name) -> Vec<Node> {

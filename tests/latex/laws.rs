@@ -394,6 +394,7 @@ fn display() -> impl Strategy<Value = Display> {
     )
         .prop_map(|(heading, chain, ranges, remark)| Clause {
             heading,
+            joined: None,
             chain,
             ranges,
             remark,

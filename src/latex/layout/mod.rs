@@ -15,7 +15,7 @@ pub(super) use kind::is_relation;
 pub use pair::DEPTH_LIMIT;
 
 use super::lexer::{self, Delimiter, Lexeme, Token};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::Bracket;
 use crate::span::Span;
 use number::take_tag;
@@ -33,8 +33,20 @@ pub(super) struct Layout {
     pub end: Span,
 }
 
+/// The longest text of one display that is read, in bytes: a tree takes some hundred times as much.
+const LONGEST_DISPLAY: usize = 50_000;
+
 /// Lexes and lays out a text; `display` says whether it may carry an equation number.
 pub(super) fn prepare(text: &str, offset: usize, display: bool) -> Result<Layout, Vec<Diagnostic>> {
+    if text.len() > LONGEST_DISPLAY {
+        let kind = DiagnosticKind::TooLong {
+            what: "a display",
+            bytes: text.len(),
+            limit: LONGEST_DISPLAY,
+        };
+        let span = Span::new(offset, offset + text.len());
+        return Err(vec![Diagnostic::new(kind, span)]);
+    }
     let (lexemes, mut diagnostics) = lexer::lex(text, offset);
     let lexemes = join_broken_lines(lexemes);
     let partner = match pair(&lexemes) {

@@ -9,6 +9,9 @@ use crate::latex::vocabulary::{self, Environment};
 use num_rational::BigRational;
 use num_traits::One;
 
+/// The most equations that are read in one display.
+const MOST_CLAUSES: usize = 500;
+
 impl Parser<'_> {
     /// All clauses of the display.
     pub(in crate::latex) fn display(&mut self) -> Parse<Vec<Clause>> {
@@ -34,9 +37,18 @@ impl Parser<'_> {
             if self.at_close() {
                 return Ok(());
             }
+            if clauses.len() >= MOST_CLAUSES {
+                let kind = DiagnosticKind::TooManyClauses {
+                    limit: MOST_CLAUSES,
+                };
+                return Err(self.error(kind, self.here()));
+            }
             let start = self.position;
             if let Err(diagnostic) = self.clause_or_group(clauses) {
-                if matches!(diagnostic.kind, DiagnosticKind::TooDeep { .. }) {
+                if matches!(
+                    diagnostic.kind,
+                    DiagnosticKind::TooDeep { .. } | DiagnosticKind::TooManyClauses { .. }
+                ) {
                     return Err(diagnostic);
                 }
                 self.diagnostics.push(*diagnostic);
@@ -56,8 +68,12 @@ impl Parser<'_> {
     fn skip_separators(&mut self) {
         loop {
             if self.peek().is_some_and(Self::is_separator) {
+                if let Some(Token::Text(word)) = self.peek() {
+                    self.joined = Some(word.trim().trim_end_matches(',').to_owned());
+                }
                 self.position += 1;
             } else if self.at_bare_and() {
+                self.joined = Some("and".to_owned());
                 self.position += 3;
             } else {
                 return;
@@ -218,6 +234,7 @@ impl Parser<'_> {
     fn clause(&mut self, clauses: &mut Vec<Clause>) -> Parse<()> {
         let heading = self.heading();
         self.skip_separators();
+        let joined = self.joined.take();
         let chain = self.chain()?;
         if let Some(range) = self.range(&chain)? {
             return match clauses.last_mut() {
@@ -234,6 +251,7 @@ impl Parser<'_> {
                 }
             };
         }
+        self.number_goes_on()?;
         let remark = self.remark();
         if !self.at_close()
             && !self.peek().is_some_and(Self::is_separator)
@@ -243,11 +261,40 @@ impl Parser<'_> {
         }
         clauses.push(Clause {
             heading,
+            joined,
             chain,
             ranges: Vec::new(),
             remark,
         });
         Ok(())
+    }
+
+    /// Refuses a comma between digits, and a full stop before something, that no blank follows:
+    /// `1,234x` and `5.x` may be one number.
+    fn number_goes_on(&self) -> Parse<()> {
+        let (Some(Token::Symbol(mark @ (',' | '.'))), Some(before), Some(after)) = (
+            self.peek(),
+            self.position.checked_sub(1).map(|p| &self.lexemes[p]),
+            self.lexemes.get(self.position + 1),
+        ) else {
+            return Ok(());
+        };
+        let tight = !self.lexemes[self.position].spaced && !after.spaced && !after.gap;
+        let span = before.span.to(after.span);
+        match (&before.token, &after.token, mark) {
+            (Token::Number(_), Token::Number(_), ',') if tight => {
+                let readings = [
+                    "one number, written 1234 or 1.234",
+                    "two, written with a blank after the comma",
+                ];
+                Err(self.ambiguous(readings, span))
+            }
+            (_, Token::Letter(_) | Token::Number(_) | Token::Command(_), '.') if tight => {
+                let readings = ["a decimal point", "the end of the equation"];
+                Err(self.ambiguous(readings, span))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// `\text{I:}`, `\text{I}:` or `(I) \quad`.

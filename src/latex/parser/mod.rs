@@ -12,13 +12,15 @@ mod matrix;
 mod name;
 mod operator;
 mod script;
+mod slash;
 
+use super::Reading;
 use super::layout::{DEPTH_LIMIT, Layout};
 use super::lexer::{Delimiter, Lexeme, Token};
 use super::signature::Signature;
 use super::vocabulary;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::{Bracket, Chain, Expr, ExprKind, QuotientStyle, Relation, Sign};
+use crate::expr::{Bracket, Chain, Expr, ExprKind, Relation, Sign};
 use crate::span::Span;
 
 /// What was read, or why it could not be.
@@ -37,8 +39,14 @@ pub(super) struct Parser<'s> {
     nesting: usize,
     /// Whether `dx` ends what is being read.
     in_integral: bool,
+    /// How many integrals wait for their `dx`.
+    open_integrals: usize,
     /// Whether `|` ends what is being read.
     in_bars: bool,
+    /// The word before the clause that is read next, such as "for".
+    joined: Option<String>,
+    /// What was read in one of several ways.
+    readings: Vec<Reading>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -53,15 +61,21 @@ impl<'s> Parser<'s> {
             depth: 0,
             nesting: 0,
             in_integral: false,
+            open_integrals: 0,
             in_bars: false,
+            joined: None,
+            readings: Vec::new(),
             diagnostics: Vec::new(),
         }
     }
 
-    /// The result, unless something was wrong on the way.
-    pub(super) fn finish<T>(mut self, result: Parse<T>) -> Result<T, Vec<Diagnostic>> {
+    /// The result and the readings that were chosen, unless something was wrong on the way.
+    pub(super) fn finish<T>(
+        mut self,
+        result: Parse<T>,
+    ) -> Result<(T, Vec<Reading>), Vec<Diagnostic>> {
         match result {
-            Ok(value) if self.diagnostics.is_empty() => Ok(value),
+            Ok(value) if self.diagnostics.is_empty() => Ok((value, self.readings)),
             Ok(_) => Err(self.diagnostics),
             Err(diagnostic) => {
                 self.diagnostics.push(*diagnostic);
@@ -173,12 +187,12 @@ impl<'s> Parser<'s> {
 
     /// Inside a bracket, where neither `dx` nor `|` of the outside ends anything.
     fn inside<T>(&mut self, part: impl FnOnce(&mut Self) -> Parse<T>) -> Parse<T> {
-        let outside = (self.in_integral, self.in_bars);
-        (self.in_integral, self.in_bars) = (false, false);
+        let outside = (self.in_integral, self.open_integrals, self.in_bars);
+        (self.in_integral, self.open_integrals, self.in_bars) = (false, 0, false);
         self.nesting += 1;
         let result = part(self);
         self.nesting -= 1;
-        (self.in_integral, self.in_bars) = outside;
+        (self.in_integral, self.open_integrals, self.in_bars) = outside;
         result
     }
 
@@ -253,55 +267,26 @@ impl<'s> Parser<'s> {
         Ok(product(factors, self.since(start)))
     }
 
-    /// Juxtaposed factors, perhaps divided by juxtaposed factors.
-    fn run(&mut self) -> Parse<Vec<Expr>> {
-        let start = self.here();
-        let numerator = self.juxtaposed()?;
-        if !self.at_symbol('/') {
-            return Ok(numerator);
-        }
-        let above = self.since(start);
-        self.position += 1;
-        let below = self.here();
-        let mut denominator = self.juxtaposed()?;
-        let below = self.since(below);
-        if self.at_symbol('/') {
-            return Err(self.ambiguous(["(a/b)/c", "a/(b/c)"], self.here()));
-        }
-        let span = self.since(start);
-        if let Some((order, variable)) = self.inline_operator(&numerator, &denominator) {
-            let body = denominator.split_off(2);
-            if body.is_empty() {
-                return Err(self.unexpected("what is differentiated"));
-            }
-            let body = Box::new(product(body, below));
-            let variable = Some(variable);
-            let kind = ExprKind::Derivative {
-                order,
-                variable,
-                body,
-            };
-            return Ok(vec![Expr::new(kind, span)]);
-        }
-        let kind = ExprKind::Quotient {
-            numerator: Box::new(product(numerator, above)),
-            denominator: Box::new(product(denominator, below)),
-            style: QuotientStyle::Slash,
-        };
-        Ok(vec![Expr::new(kind, span)])
-    }
-
     /// At least one factor, with nothing between them.
     fn juxtaposed(&mut self) -> Parse<Vec<Expr>> {
+        self.spaced_factors().map(|(factors, _)| factors)
+    }
+
+    /// At least one factor, and how many precede each printed space between them.
+    fn spaced_factors(&mut self) -> Parse<(Vec<Expr>, Vec<usize>)> {
         let mut factors = Vec::new();
+        let mut gaps = Vec::new();
         self.push_factor(&mut factors)?;
         while self.starts_factor() {
             if matches!(self.peek(), Some(Token::Number(_))) {
                 self.number_after(factors.last())?;
             }
+            if self.lexemes[self.position].gap {
+                gaps.push(factors.len());
+            }
             self.push_factor(&mut factors)?;
         }
-        Ok(factors)
+        Ok((factors, gaps))
     }
 
     fn push_factor(&mut self, factors: &mut Vec<Expr>) -> Parse<()> {

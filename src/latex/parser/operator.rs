@@ -2,7 +2,9 @@
 
 use super::script::small_order;
 use super::{Parse, Parser, product};
+use crate::diagnostic::Diagnostic;
 use crate::expr::{Chain, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
+use crate::latex::layout::is_relation;
 use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::vocabulary;
 use crate::span::Span;
@@ -15,15 +17,29 @@ impl Parser<'_> {
         let numerator = self.argument(false)?;
         let denominator = self.argument(false)?;
         let span = self.since(start);
-        if let Some(variables) = self.differentials_below(&denominator) {
-            let order = variables.iter().map(|(order, _)| order).sum();
-            if self.differential_above(&numerator) == Some(order) {
+        if let Some((variables, doubt_below)) = self.differentials_below(&denominator) {
+            let order: u8 = variables.iter().map(|(order, _)| order).sum();
+            if let Some((found, doubt_above)) = self.differential_above(&numerator)
+                && found == order
+            {
+                let doubtful = doubt_above && doubt_below;
+                if doubtful && !self.starts_factor() {
+                    return Err(self.derivative_or_quotient(span));
+                }
                 let body = self.term()?;
-                return Ok(derivative(variables, body, self.since(start)));
+                let derivative = derivative(variables, body, self.since(start));
+                if doubtful {
+                    self.note_reading(&derivative);
+                }
+                return Ok(derivative);
             }
             if let ExprKind::Product(factors) = &numerator.kind
-                && self.differential_above(&factors[0]) == Some(order)
+                && let Some((found, doubt_above)) = self.differential_above(&factors[0])
+                && found == order
             {
+                if doubt_above && doubt_below {
+                    return Err(self.derivative_or_quotient(span));
+                }
                 let body = product(factors[1..].to_vec(), numerator.span);
                 return Ok(derivative(variables, body, span));
             }
@@ -40,9 +56,18 @@ impl Parser<'_> {
         Ok(Expr::new(kind, span))
     }
 
-    /// Whether the name is the `d` of a differential: upright or curly, or italic in a document
-    /// that has no letter `d`.
-    fn is_differential(&self, name: &Name) -> bool {
+    /// What to say where a letter `d` of the document stands above and below.
+    pub(super) fn derivative_or_quotient(&self, span: Span) -> Box<Diagnostic> {
+        let readings = [
+            "a derivative, written with \\mathrm{d}",
+            "a quotient with the letter d, written with brackets",
+        ];
+        self.ambiguous(readings, span)
+    }
+
+    /// Whether the name is the `d` of a differential, upright, curly or italic, and if so, whether
+    /// that is in doubt because the document has an italic letter `d`.
+    fn is_differential(&self, name: &Name) -> Option<bool> {
         let italic = Name {
             letter: Letter {
                 font: Font::Italic,
@@ -51,30 +76,34 @@ impl Parser<'_> {
             ..name.clone()
         };
         if italic == Name::italic("\\partial") {
-            return true;
+            return Some(false);
         }
-        italic == Name::italic("d")
-            && match name.letter.font {
-                Font::Roman => true,
-                Font::Italic => !self.signature.knows_letter("d"),
-                _ => false,
-            }
+        match name.letter.font {
+            _ if italic != Name::italic("d") => None,
+            Font::Roman => Some(false),
+            Font::Italic => Some(self.signature.has_letter("d")),
+            Font::Bold | Font::Calligraphic | Font::Blackboard => None,
+        }
     }
 
-    /// The order of `d` or `d^n` above the bar.
-    fn differential_above(&self, expr: &Expr) -> Option<u8> {
+    /// The order of `d` or `d^n` above the bar, and whether it is in doubt.
+    fn differential_above(&self, expr: &Expr) -> Option<(u8, bool)> {
         match &expr.kind {
-            ExprKind::Name(name) if self.is_differential(name) => Some(1),
+            ExprKind::Name(name) => Some((1, self.is_differential(name)?)),
             ExprKind::Power { base, exponent } => match &base.kind {
-                ExprKind::Name(name) if self.is_differential(name) => small_order(exponent),
+                ExprKind::Name(name) => {
+                    let doubtful = self.is_differential(name)?;
+                    Some((small_order(exponent)?, doubtful))
+                }
                 _ => None,
             },
             _ => None,
         }
     }
 
-    /// The orders and variables of `dt`, `dt^n` or `\partial x \partial y` below the bar.
-    fn differentials_below(&self, expr: &Expr) -> Option<Vec<(u8, Name)>> {
+    /// The orders and variables of `dt`, `dt^n` or `\partial x \partial y` below the bar, and whether
+    /// they are in doubt.
+    fn differentials_below(&self, expr: &Expr) -> Option<(Vec<(u8, Name)>, bool)> {
         let ExprKind::Product(factors) = &expr.kind else {
             return None;
         };
@@ -82,33 +111,41 @@ impl Parser<'_> {
             [d, variable] => self.differential_of(d, variable),
             _ => None,
         });
-        let variables: Vec<_> = pairs.collect::<Option<_>>()?;
-        let order: u32 = variables.iter().map(|(order, _)| u32::from(*order)).sum();
-        u8::try_from(order).is_ok().then_some(variables)
+        let found: Vec<_> = pairs.collect::<Option<_>>()?;
+        let order: u32 = found.iter().map(|(order, ..)| u32::from(*order)).sum();
+        let doubtful = found.iter().all(|(.., doubtful)| *doubtful);
+        let variables = found.into_iter().map(|(order, name, _)| (order, name));
+        let variables = variables.collect();
+        u8::try_from(order).is_ok().then_some((variables, doubtful))
     }
 
-    fn differential_of(&self, d: &Expr, variable: &Expr) -> Option<(u8, Name)> {
-        match &d.kind {
-            ExprKind::Name(name) if self.is_differential(name) => {}
-            _ => return None,
-        }
+    fn differential_of(&self, d: &Expr, variable: &Expr) -> Option<(u8, Name, bool)> {
+        let ExprKind::Name(name) = &d.kind else {
+            return None;
+        };
+        let doubtful = self.is_differential(name)?;
         match &variable.kind {
-            ExprKind::Name(name) => Some((1, name.clone())),
+            ExprKind::Name(name) => Some((1, name.clone(), doubtful)),
             ExprKind::Power { base, exponent } => match &base.kind {
-                ExprKind::Name(name) => Some((small_order(exponent)?, name.clone())),
+                ExprKind::Name(name) => Some((small_order(exponent)?, name.clone(), doubtful)),
                 _ => None,
             },
             _ => None,
         }
     }
 
-    /// `d/dt`, whose divisor goes on with what is differentiated.
-    pub(super) fn inline_operator(&self, above: &[Expr], below: &[Expr]) -> Option<(u8, Name)> {
+    /// `d/dt`, whose divisor goes on with what is differentiated, and whether it is in doubt.
+    pub(super) fn inline_operator(
+        &self,
+        above: &[Expr],
+        below: &[Expr],
+    ) -> Option<(u8, Name, bool)> {
         let ([above], [d, variable, ..]) = (above, below) else {
             return None;
         };
-        let (order, variable) = self.differential_of(d, variable)?;
-        (self.differential_above(above)? == order).then_some((order, variable))
+        let (order, variable, doubt_below) = self.differential_of(d, variable)?;
+        let (found, doubt_above) = self.differential_above(above)?;
+        (found == order).then_some((order, variable, doubt_above && doubt_below))
     }
 
     /// `\sum_{k=0}^{3}` and the product that follows.
@@ -176,6 +213,25 @@ impl Parser<'_> {
             }
     }
 
+    /// Whether, with a letter `d` in the document, the term goes on with more `d` before a letter
+    /// than integrals wait for one.
+    fn later_differential(&self) -> bool {
+        let mut found = 0;
+        let mut position = self.position + 1;
+        while let Some(lexeme) = self.lexemes.get(position) {
+            match &lexeme.token {
+                Token::Letter('d') => found += 1,
+                Token::Open(_) | Token::Begin(_) => position = self.partner[position],
+                Token::Close(_) | Token::End(_) | Token::Space(_) | Token::RowBreak => break,
+                Token::Symbol('+' | '-' | ',' | ';' | '&') => break,
+                token if is_relation(token) => break,
+                _ => {}
+            }
+            position += 1;
+        }
+        found > self.open_integrals
+    }
+
     /// `\int_a^b body \, dx`
     pub(super) fn integral(&mut self) -> Parse<Expr> {
         let start = self.here();
@@ -198,12 +254,21 @@ impl Parser<'_> {
             _ => return Err(self.unexpected("both limits of the integral or none")),
         };
         let outside = std::mem::replace(&mut self.in_integral, true);
+        self.open_integrals += 1;
         let body = self.expression();
         let ended = self.at_differential();
         self.in_integral = outside;
+        self.open_integrals -= 1;
         let body = body?;
         if !ended {
             return Err(self.unexpected("d and the variable of integration"));
+        }
+        if self.at(&Token::Letter('d'))
+            && self.signature.has_letter("d")
+            && self.later_differential()
+        {
+            let readings = ["the differential", "a factor of the integrand"];
+            return Err(self.ambiguous(readings, self.here()));
         }
         self.position += 1;
         let variable = self.lone_name()?;

@@ -2,7 +2,7 @@
 
 use super::{Parse, Parser, starts_name};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::{Expr, ExprKind, Font, Letter, Name, Sign, Subscript};
+use crate::expr::{Bracket, Expr, ExprKind, Font, Letter, Name, Sign, Subscript};
 use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::{vocabulary, writer};
 use crate::span::Span;
@@ -26,6 +26,7 @@ impl Parser<'_> {
         let close = self.partner[open];
         self.position += 1;
         let complaints = self.diagnostics.len();
+        let readings = self.readings.len();
         let indices = self.inside(|parser| {
             let mut indices = vec![parser.expression()?];
             while parser.accept_symbol(',') {
@@ -46,6 +47,9 @@ impl Parser<'_> {
             _ => Vec::new(),
         };
         self.diagnostics.truncate(complaints);
+        if indices.is_empty() {
+            self.readings.truncate(readings);
+        }
         self.position = close + 1;
         let label = if indices.is_empty() {
             writer::label(&self.lexemes[open + 1..close])
@@ -75,7 +79,7 @@ impl Parser<'_> {
             Some(Token::Number(digits)) if digits.len() > 1 => {
                 let digits = digits.clone();
                 let span = self.here();
-                if script {
+                if script || digits.contains('.') {
                     let readings = ["the whole number", "its first digit only, as TeX prints it"];
                     return Err(self.ambiguous(readings, span));
                 }
@@ -118,7 +122,11 @@ impl Parser<'_> {
             text: text.chars().take(40).collect(),
         };
         if text.len() > LONGEST_NUMBER {
-            return Err(self.error(bad(), span));
+            let kind = DiagnosticKind::LongNumber {
+                digits: text.len(),
+                limit: LONGEST_NUMBER,
+            };
+            return Err(self.error(kind, span));
         }
         let (whole, decimals) = text.split_once('.').unwrap_or((&text, ""));
         let Ok(digits) = format!("{whole}{decimals}").parse::<BigInt>() else {
@@ -158,6 +166,10 @@ impl Parser<'_> {
     /// A power, a transpose, or the transpose of the inverse.
     pub(super) fn raise(&mut self, base: Expr, exponent: Expr) -> Parse<Expr> {
         let span = self.since(base.span).to(exponent.span);
+        if is_mark(&base, &exponent) {
+            let readings = ["a mark in brackets, or so many derivatives", "a power"];
+            return Err(self.ambiguous(readings, exponent.span));
+        }
         if let ExprKind::Name(letter) = &exponent.kind
             && self.transposes(&base, letter, exponent.span)?
         {
@@ -215,6 +227,35 @@ impl Parser<'_> {
             _ => Ok(false),
         }
     }
+}
+
+/// Whether a whole superscript in brackets, as in `x^{(2)}`, may number what it stands at instead
+/// of raising it. On a number or an exponential it raises, and a fraction numbers nothing.
+fn is_mark(base: &Expr, exponent: &Expr) -> bool {
+    let ExprKind::Group {
+        bracket: Bracket::Round,
+        inner,
+    } = &exponent.kind
+    else {
+        return false;
+    };
+    let raises = match &base.kind {
+        ExprKind::Number(_) => true,
+        ExprKind::Name(name) => name.letter.base == "e",
+        _ => false,
+    };
+    let transposes = |name: &Name| matches!(name.letter.base.as_str(), "T" | "t");
+    !raises
+        && match &inner.kind {
+            ExprKind::Number(number) => number.is_integer(),
+            ExprKind::Name(name) => !transposes(name),
+            ExprKind::Sum(terms) => terms.iter().all(|(_, term)| match &term.kind {
+                ExprKind::Number(number) => number.is_integer(),
+                ExprKind::Name(name) => !transposes(name),
+                _ => false,
+            }),
+            _ => false,
+        }
 }
 
 /// Whether something bold or a matrix is printed in the expression.

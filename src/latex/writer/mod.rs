@@ -104,6 +104,9 @@ impl Writer {
         if let Some(heading) = &clause.heading {
             text += &format!("\\text{{{heading}:}} \\quad ");
         }
+        if let Some(word) = &clause.joined {
+            text += &format!("\\text{{{word} }} ");
+        }
         text += &match clause.chain.members.as_slice() {
             // Set apart, a number in plain brackets would be the number of the equation.
             [only] if matches!(only.kind, ExprKind::Group { .. }) => {

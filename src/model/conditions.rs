@@ -1,0 +1,215 @@
+//! What a claim is said under: the clauses of its display that are conditions and no claims.
+//!
+//! `x = |y|, \quad y \ge 0` claims one thing and supposes another. A clause is a condition if a word
+//! such as "for" or "if" stands before it, or if after an equation and a comma it only compares
+//! declared letters with numbers or each other. Beside at least one claim it becomes a hypothesis of
+//! the equation, shown as one; a display of nothing but such clauses claims them.
+
+use super::build::Builder;
+use super::{Hypothesis, Node};
+use crate::diagnostic::DiagnosticKind;
+use crate::document::Text;
+use crate::expr::{Chain, Clause, Display, Expr, ExprKind, Relation, Sign};
+use crate::latex;
+
+/// The conditions of a display, taken out of it.
+#[derive(Default)]
+pub(super) struct Conditions {
+    pub hypotheses: Vec<Hypothesis>,
+    /// The same as printed.
+    pub texts: Vec<Text>,
+}
+
+impl Builder {
+    /// Takes the conditions out of the display of a claim.
+    pub(super) fn conditions(&mut self, display: &mut Display) -> Conditions {
+        let mut found = Conditions::default();
+        let clauses = &display.clauses;
+        let mut conditional = vec![false; clauses.len()];
+        let (mut claims, mut equations) = (false, false);
+        for (k, clause) in clauses.iter().enumerate() {
+            let continued = k > 0 && conditional[k - 1];
+            conditional[k] = self.is_condition(clause, equations, continued);
+            let claimed = !conditional[k] && !clause.chain.relations.is_empty();
+            claims |= claimed;
+            // After `b > 0`, `c > 0` is another claim like it.
+            equations |= claimed && !(self.is_order(&clause.chain) && self.is_plain(&clause.chain));
+        }
+        if !claims {
+            return found;
+        }
+        // `a, b > 0`: the letters before the comma share the relation.
+        for k in (1..clauses.len()).rev() {
+            let shared = conditional[k] && clauses[k].joined.is_none();
+            let subject = clauses[k - 1].chain.relations.is_empty()
+                && self.is_letter(&clauses[k - 1].chain.members[0]);
+            if !(shared && subject && self.is_letter(&clauses[k].chain.members[0])) {
+                continue;
+            }
+            conditional[k - 1] = true;
+        }
+        for (k, clause) in clauses.iter().enumerate() {
+            if !conditional[k] {
+                continue;
+            }
+            let chain = match clause.chain.relations.is_empty() {
+                true => match self.shared_relation(&clauses[k..], &conditional[k..]) {
+                    Some(chain) => chain,
+                    None => continue,
+                },
+                false => clause.chain.clone(),
+            };
+            self.two_sided(&clauses[k..]);
+            found.texts.push(Text {
+                text: latex::write_chain(&chain),
+                span: clause.chain.span,
+            });
+            found.hypotheses.extend(hypotheses(&chain));
+        }
+        let mut kept = conditional.iter().map(|conditional| !conditional);
+        display.clauses.retain(|_| kept.next().unwrap_or(true));
+        found
+    }
+
+    /// `a > 0` for the `a` of `a, b > 0`.
+    fn shared_relation(&self, clauses: &[Clause], conditional: &[bool]) -> Option<Chain> {
+        let subject = &clauses[0].chain;
+        let with = clauses.iter().zip(conditional).skip(1);
+        let with = with.take_while(|(_, conditional)| **conditional);
+        let related = with.map(|(clause, _)| &clause.chain);
+        let related = related.into_iter().find(|c| !c.relations.is_empty())?;
+        let mut members = related.members.clone();
+        members[0] = subject.members[0].clone();
+        Some(Chain {
+            members,
+            relations: related.relations.clone(),
+            span: subject.span.to(related.span),
+        })
+    }
+
+    /// Refuses `0 < a, b < 1`, which may mean that both lie between.
+    fn two_sided(&mut self, clauses: &[Clause]) {
+        let [first, second, ..] = clauses else {
+            return;
+        };
+        let ends = first.chain.members.last();
+        if second.joined.is_none()
+            && self.is_order(&first.chain)
+            && self.is_order(&second.chain)
+            && names_number(&first.chain.members[0])
+            && ends.is_some_and(|e| self.is_letter(e))
+            && self.is_letter(&second.chain.members[0])
+        {
+            let readings = vec![
+                "one condition on two letters, written apart for each".to_owned(),
+                "two conditions, with `and` between them".to_owned(),
+            ];
+            let span = first.chain.span.to(second.chain.span);
+            self.error(DiagnosticKind::Ambiguous { readings }, span);
+        }
+    }
+
+    fn is_condition(&self, clause: &Clause, equations: bool, continued: bool) -> bool {
+        let chain = &clause.chain;
+        if chain.relations.is_empty() {
+            return false;
+        }
+        let word = clause.joined.as_deref();
+        let by_word = word.is_some_and(latex::is_condition) || word == Some("and") && continued;
+        let defines = matches!(word, Some("where" | "with"));
+        if self.is_order(chain) {
+            by_word || (equations || defines) && self.is_plain(chain)
+        } else if chain.relations.iter().all(|r| *r == Relation::Equal) {
+            by_word && word != Some("and") || defines && self.is_letter(&chain.members[0])
+        } else {
+            false
+        }
+    }
+
+    /// Whether all its relations compare by size.
+    fn is_order(&self, chain: &Chain) -> bool {
+        !chain.relations.is_empty()
+            && chain.relations.iter().all(|relation| match relation {
+                Relation::Less
+                | Relation::LessEqual
+                | Relation::Greater
+                | Relation::GreaterEqual
+                | Relation::NotEqual => true,
+                Relation::Equal
+                | Relation::Distributed
+                | Relation::Approximately
+                | Relation::Tends => false,
+            })
+    }
+
+    /// Whether only declared letters and numbers are compared.
+    fn is_plain(&self, chain: &Chain) -> bool {
+        let plain = |e: &Expr| self.is_letter(e) || names_number(e);
+        chain.members.iter().all(plain) && chain.members.iter().any(|e| self.is_letter(e))
+    }
+
+    /// Whether the expression is a declared letter.
+    fn is_letter(&self, expr: &Expr) -> bool {
+        let ExprKind::Name(name) = &expr.kind else {
+            return false;
+        };
+        matches!(
+            self.names.whole.get(&latex::canonical(name)),
+            Some(Node::Symbol(_))
+        )
+    }
+
+    /// Refuses what a display cannot say: alternatives, and clauses without a relation in a claim.
+    pub(super) fn refuse_clauses(&mut self, display: &Display, claim: bool) {
+        for clause in &display.clauses {
+            if clause.joined.as_deref() == Some("or") {
+                self.error(DiagnosticKind::Alternatives, clause.chain.span);
+            }
+            let [only] = clause.chain.members.as_slice() else {
+                continue;
+            };
+            let braced = super::links::underbraces(&clause.chain);
+            let labelled = braced.iter().any(|(_, label)| !label.members.is_empty());
+            if names_number(only) || claim && !labelled {
+                let clause = latex::write_expr(only);
+                self.error(DiagnosticKind::SaysNothing { clause }, only.span);
+            }
+        }
+    }
+}
+
+/// The neighbours of a chain, but for those that say nothing, such as `a < \infty`.
+fn hypotheses(chain: &Chain) -> Vec<Hypothesis> {
+    let pairs = chain.members.windows(2).zip(&chain.relations);
+    pairs
+        .filter_map(|(sides, relation)| match sides {
+            [left, right] if !is_infinite(left) && !is_infinite(right) => Some(Hypothesis {
+                left: left.clone(),
+                relation: *relation,
+                right: right.clone(),
+                span: left.span.to(right.span),
+            }),
+            _ => None,
+        })
+        .collect()
+}
+
+fn is_infinite(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Infinity => true,
+        ExprKind::Sum(terms) => terms.iter().any(|(_, term)| is_infinite(term)),
+        _ => false,
+    }
+}
+
+/// Whether the expression spells a number or infinity.
+fn names_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Sum(terms) => match terms.as_slice() {
+            [(Sign::Plus | Sign::Minus, only)] => names_number(only),
+            _ => super::names::literal_number(expr).is_some(),
+        },
+        ExprKind::Infinity => true,
+        _ => super::names::literal_number(expr).is_some(),
+    }
+}
