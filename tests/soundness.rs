@@ -3,3 +3,12 @@
 
 #[allow(dead_code)]
 mod common;
+
+#[path = "soundness/dots.rs"]
+mod dots;
+#[path = "soundness/expectations.rs"]
+mod expectations;
+#[path = "soundness/sizes.rs"]
+mod sizes;
+#[path = "soundness/zero.rs"]
+mod zero;

@@ -14,6 +14,7 @@ mod hypotheses;
 mod identity;
 mod instances;
 mod limits;
+mod no_value;
 mod link;
 mod order;
 mod part;
@@ -21,12 +22,14 @@ mod proof;
 mod relations;
 mod repair;
 mod scope;
+mod sizes;
 mod sides;
 mod statement;
 mod stationary;
 pub(crate) mod trial;
 mod units;
 mod witness;
+mod words;
 
 use crate::diagnostic::Diagnostic;
 use crate::domain::Symbolic;
@@ -102,6 +105,7 @@ pub fn check(model: &Model, options: Options) -> Result<Verdicts, Vec<Diagnostic
         checker.in_definitions = in_definitions;
         verdicts = instances::all(verdicts, checker.run()?);
     }
+    sizes::name(model, &mut verdicts);
     Ok(verdicts)
 }
 
@@ -157,6 +161,12 @@ impl<'m> Checker<'m> {
     fn insert_abbreviations(&mut self) {
         let model = self.model;
         self.inserted.clear();
+        let abbreviation = |node: &Node| {
+            matches!(node, Node::Definition(d) if model.definitions[*d].letter.is_some())
+        };
+        let mut without_value = self.exact.without_value().clone();
+        without_value.retain(|node, _| !abbreviation(node));
+        self.exact.set_without_value(without_value);
         let mut expanding = self.exact.anew();
         expanding.keep_abbreviations = false;
         for (letter, kind) in model.letters.iter().enumerate() {
@@ -168,7 +178,12 @@ impl<'m> Checker<'m> {
                         self.inserted.insert(letter, value);
                     }
                     Ok(_) => {}
-                    Err(failure) => self.note(&failure),
+                    Err(failure) => {
+                        self.note(&failure);
+                        // A letter for what has no value would pass for any number.
+                        let node = Node::Definition(*definition);
+                        self.exact.has_no_value(node, failure.kind);
+                    }
                 }
             }
         }
@@ -218,6 +233,9 @@ impl<'m> Checker<'m> {
                 let outcomes = self.settle_links(equation, None);
                 let under = std::mem::replace(&mut self.exact, free);
                 self.inserted = inserted;
+                for (node, kind) in under.without_value() {
+                    self.exact.has_no_value(*node, kind.clone());
+                }
                 if let Some((_, display)) = under.corrections().find(|(e, _)| **e == equation) {
                     self.exact.correct(equation, display.clone());
                 }
@@ -255,6 +273,7 @@ impl<'m> Checker<'m> {
             positivity,
             after,
             assumed: assumed.collect(),
+            sizes: None,
             instances: vec![self.instance],
         }
     }
