@@ -204,7 +204,7 @@ fn definitions(names: &[&str], sums: &[Sum], argument: &str) -> String {
     let mut text = String::new();
     for (k, (name, sum)) in names.iter().zip(sums).enumerate() {
         let value = sum.latex();
-        text += &format!("\n```math define{argument}{k} define\n{name}{argument} = {value}\n```\n");
+        text += &format!("\n```math define{k} define\n{name}{argument} = {value}\n```\n");
     }
     text
 }

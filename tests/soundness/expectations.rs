@@ -86,7 +86,7 @@ fn what_moments_do_not_give_is_undecided() {
             2 => "1".into(),
             3 => "v".into(),
             4 => r"\cos 0 + c".into(),
-            _ => body.replace('r', "0"),
+            _ => "c - v".into(),
         };
         claims.push(format!(r"E\{{{body}\}} = {right}"));
     }
@@ -174,9 +174,9 @@ fn a_scalar_without_a_stationary_state_has_no_variance() {
                 let forms = [
                     format!("2 {a} {p} + q = 0"),
                     format!("{a} {p} + {p} {a} = -q"),
-                    format!("0 = -2 {a} {p} - q"),
+                    format!("0 = -(2 {a} {p}) - q"),
                 ];
-                (forms[draw.below(3)].clone(), n < 0, format!(r"-\frac{{q}}{{2 {a}}}"))
+                (forms[draw.below(3)].clone(), n < 0, format!(r"(-\frac{{q}}{{2 {a}}})"))
             };
             text += &format!("```math solve{k} solve {p}\n{equation}\n```\n");
             let r = format!("r_{{\\mathrm{{{k}}}}}");

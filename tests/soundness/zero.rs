@@ -30,7 +30,7 @@ const DIVISORS: &[(&str, &str)] = &[
     ("(k - 2x)", "(k^2 + 1)"),
     ("(l - 2xy)", "(l - 2xy + 1)"),
     ("(b^2 - c^2)", "(b^2 + c^2)"),
-    ("h^2", "(2a + b)"),
+    ("(h^2)", "(2a + b)"),
     ("(ah + b - g)", "(ah + b + g)"),
 ];
 
@@ -46,7 +46,7 @@ fn what_divides_by_zero_does_not_hold() {
         (r"a + \frac{N}{Z} - \frac{N}{Z}", "a", "b"),
         (r"Z^{-1}Z", "1", "x"),
         (r"\frac{(N)^2 - (Z)^2}{Z}", r"\frac{(N)^2}{Z} - Z", r"\frac{(N)^2}{Z} + Z"),
-        (r"f(Z)Z", "1", "3"),
+        (r"f(x = Z)Z", "1", "3"),
         (r"\frac{0}{Z}", "0", "1"),
     ];
     for _ in 0..240 {
