@@ -6,8 +6,8 @@
 //! the imaginary unit that of its squared modulus.
 
 use super::Checker;
-use crate::functions::FunctionLetter;
 use crate::evaluate::Origin;
+use crate::functions::FunctionLetter;
 use crate::functions::quadratic::reduce_polynomial;
 use crate::matrix::Matrix;
 use crate::model::matrices::MatrixEntry;

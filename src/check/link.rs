@@ -29,9 +29,9 @@ impl Checker<'_> {
         let said = match &verdict {
             Verdict::Holds { .. } | Verdict::HoldsGiven(..) | Verdict::Definition { .. } => true,
             Verdict::Refuted(refutation) => refutation.misfit().is_none(),
-            Verdict::Misprint { .. }
-            | Verdict::Undecided { .. }
-            | Verdict::Recalled { .. } => false,
+            Verdict::Misprint { .. } | Verdict::Undecided { .. } | Verdict::Recalled { .. } => {
+                false
+            }
         };
         match self.vanishing_divisor().filter(|_| said) {
             Some(failure) => {

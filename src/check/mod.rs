@@ -14,16 +14,16 @@ mod hypotheses;
 mod identity;
 mod instances;
 mod limits;
-mod no_value;
 mod link;
+mod no_value;
 mod order;
 mod part;
 mod proof;
 mod relations;
 mod repair;
 mod scope;
-mod sizes;
 mod sides;
+mod sizes;
 mod statement;
 mod stationary;
 pub(crate) mod trial;
@@ -161,9 +161,7 @@ impl<'m> Checker<'m> {
     fn insert_abbreviations(&mut self) {
         let model = self.model;
         self.inserted.clear();
-        let abbreviation = |node: &Node| {
-            matches!(node, Node::Definition(d) if model.definitions[*d].letter.is_some())
-        };
+        let abbreviation = |node: &Node| matches!(node, Node::Definition(d) if model.definitions[*d].letter.is_some());
         let mut without_value = self.exact.without_value().clone();
         without_value.retain(|node, _| !abbreviation(node));
         self.exact.set_without_value(without_value);

@@ -58,10 +58,9 @@ fn corrections(outcomes: &[Outcome]) -> BTreeMap<usize, Display> {
 
 fn of_link(model: &Model, corrected: &BTreeMap<usize, Display>, outcome: &mut Outcome) {
     let true_ = match &outcome.verdict {
-        Verdict::Holds { .. } | Verdict::HoldsGiven(_) => true,
+        Verdict::Holds { .. } | Verdict::HoldsGiven(..) => true,
         Verdict::Misprint { .. }
         | Verdict::Refuted(_)
-        | Verdict::Loose { .. }
         | Verdict::Undecided { .. }
         | Verdict::Definition { .. }
         | Verdict::Recalled { .. } => false,

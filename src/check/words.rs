@@ -3,12 +3,12 @@
 //! Whatever is no sum, product, transpose, trace or determinant of declared matrices and of names
 //! defined by such has no normal form here, and the claim is proved for the named sizes only.
 
+use crate::document::Structure;
 use crate::expr::{Display, Expr, ExprKind, Function, Sign};
 use crate::latex;
 use crate::model::links::Link;
 use crate::model::names::{Resolved, literal_integer};
 use crate::model::{DefinitionKind, Model, Node, NotationKind};
-use crate::document::Structure;
 use crate::theory::words::{Alphabet, Form, Scalar, Size, Symmetry};
 use num_rational::BigRational;
 use num_traits::One;
@@ -126,8 +126,8 @@ impl Words<'_> {
                 {
                     return None;
                 }
-                let exponent = literal_integer(exponent)
-                    .filter(|n| (1..=LARGEST_POWER).contains(n))?;
+                let exponent =
+                    literal_integer(exponent).filter(|n| (1..=LARGEST_POWER).contains(n))?;
                 let base = self.form(base)?;
                 let mut power = base.clone();
                 for _ in 1..exponent {

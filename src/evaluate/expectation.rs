@@ -281,7 +281,9 @@ impl<D: Domain> Evaluator<'_, D> {
     ) -> Result<Combination<D::Element>, Failure> {
         let outside = |what: &str| Failure::unsupported(what, span);
         if self.holds_function_of_process(entry) {
-            return Err(outside("the expectation of a function of random quantities"));
+            return Err(outside(
+                "the expectation of a function of random quantities",
+            ));
         }
         let terms = self
             .field

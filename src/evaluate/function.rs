@@ -412,7 +412,12 @@ impl<D: Domain> Evaluator<'_, D> {
         Ok(value)
     }
 
-    pub(super) fn partial(&mut self, element: &D::Element, by: usize, span: Span) -> Result<D::Element> {
+    pub(super) fn partial(
+        &mut self,
+        element: &D::Element,
+        by: usize,
+        span: Span,
+    ) -> Result<D::Element> {
         let partials = self
             .field
             .partial_derivatives(element)

@@ -513,7 +513,9 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             Resolved::Node { node, derivatives } => {
                 self.node((node, Vec::new(), derivatives), span)
             }
-            Resolved::Primed { node, primes } => self.derivative_by_argument(node, primes, None, span),
+            Resolved::Primed { node, primes } => {
+                self.derivative_by_argument(node, primes, None, span)
+            }
             Resolved::Indexed { key, indices } => {
                 let mut values = Vec::with_capacity(indices.len());
                 for index in indices {

@@ -192,11 +192,7 @@ impl<D: Domain> Evaluator<'_, D> {
     /// F^2 of the map X -> X - F X F^T, or its opposite, whose images of the units these are. The
     /// products of two entries of F are seen there, which gives F up to a root: with f = F_ab^2 and
     /// G = F_ab F, F^2 = G^2/f.
-    fn discrete_form(
-        &self,
-        images: &[Matrix<D::Element>],
-        n: usize,
-    ) -> Option<Matrix<D::Element>> {
+    fn discrete_form(&self, images: &[Matrix<D::Element>], n: usize) -> Option<Matrix<D::Element>> {
         let field = &self.field;
         [1, -1].into_iter().find_map(|sign| {
             // F_ir F_js.

@@ -3,7 +3,9 @@
 use super::links;
 use super::links::each_expression;
 use super::matrices::MatrixSymbol;
-use super::{Definition, DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind, Role, Symbol};
+use super::{
+    Definition, DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind, Role, Symbol,
+};
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::functions::FunctionTable;
 use crate::latex;
@@ -255,9 +257,7 @@ impl Model {
                 letters += 1;
                 arithmetic &= match self.names.whole.get(&latex::canonical(name)) {
                     // What is defined through the time changes with it.
-                    Some(Node::Symbol(s)) => {
-                        !matches!(self.clock(*s), super::time::Clock::Runs(_))
-                    }
+                    Some(Node::Symbol(s)) => !matches!(self.clock(*s), super::time::Clock::Runs(_)),
                     Some(Node::Definition(other)) => self.definitions[*other].letter.is_some(),
                     _ => false,
                 };

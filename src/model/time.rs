@@ -43,7 +43,10 @@ pub(super) fn times(symbols: &[Symbol], names: &Names) -> BTreeSet<String> {
         return of_processes;
     }
     let declared = symbols.iter().find(|s| is_t(s));
-    declared.map(|s| latex::canonical(&s.name)).into_iter().collect()
+    declared
+        .map(|s| latex::canonical(&s.name))
+        .into_iter()
+        .collect()
 }
 
 /// Whether a symbol is the letter `t` and may measure a time.
@@ -76,6 +79,9 @@ impl Model {
     /// Whether a letter with this canonical name is a time.
     pub fn is_time(&self, name: &Name) -> bool {
         self.times.contains(&latex::canonical(name))
-            || self.symbols.iter().any(|s| s.function_of.as_ref() == Some(name))
+            || self
+                .symbols
+                .iter()
+                .any(|s| s.function_of.as_ref() == Some(name))
     }
 }

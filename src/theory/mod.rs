@@ -20,5 +20,5 @@ pub mod sign;
 pub mod spectral_factor;
 pub mod spectrum;
 pub mod stability;
-pub mod words;
 pub mod state_equations;
+pub mod words;

@@ -166,7 +166,12 @@ impl Alphabet {
             letter,
             transposed: false,
         };
-        self.single(rows, columns, vec![factor], Scalar::number(BigRational::one()))
+        self.single(
+            rows,
+            columns,
+            vec![factor],
+            Scalar::number(BigRational::one()),
+        )
     }
 
     /// The unit matrix.
@@ -268,7 +273,9 @@ impl Alphabet {
         Some(match (left, right) {
             (Form::Zero, other) | (other, Form::Zero) => other.clone(),
             (Form::Scalar(a), Form::Scalar(b)) => Form::Scalar(a.plus(b)),
-            (Form::Matrix(rows, columns, a), Form::Matrix(r, c, b)) if (rows, columns) == (r, c) => {
+            (Form::Matrix(rows, columns, a), Form::Matrix(r, c, b))
+                if (rows, columns) == (r, c) =>
+            {
                 let mut sum = a.clone();
                 for (word, coefficient) in &b.0 {
                     sum.add(word.clone(), coefficient);
@@ -474,12 +481,21 @@ mod tests {
         // Traces.
         let trace = |a: &Form| letters.trace(a).unwrap();
         assert_eq!(trace(&times(&m, &k)), trace(&times(&k, &m)));
-        assert_eq!(trace(&times(&times(&m, &k), &s)), trace(&times(&times(&s, &m), &k)));
-        assert_ne!(trace(&times(&times(&m, &k), &s)), trace(&times(&times(&k, &m), &s)));
+        assert_eq!(
+            trace(&times(&times(&m, &k), &s)),
+            trace(&times(&times(&s, &m), &k))
+        );
+        assert_ne!(
+            trace(&times(&times(&m, &k), &s)),
+            trace(&times(&times(&k, &m), &s))
+        );
         assert_eq!(trace(&times(&x, &turned(&x))), square);
         assert!(trace(&g).is_zero() && trace(&times(&g, &s)).is_zero());
         assert!(!trace(&times(&g, &g)).is_zero());
-        assert_eq!(trace(&letters.identity(f())), Form::Scalar(Scalar::size(&f())));
+        assert_eq!(
+            trace(&letters.identity(f())),
+            Form::Scalar(Scalar::size(&f()))
+        );
         // Determinants of products, and of nothing that brings out a power of the size.
         let determinant = |a: &Form| letters.determinant(a);
         assert_eq!(determinant(&times(&m, &k)), determinant(&times(&k, &m)));

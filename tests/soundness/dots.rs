@@ -240,10 +240,7 @@ fn what_is_defined_through_the_time_moves() {
                     format!(r"\dot{{{x}}} {z} + {x} \dot{{{z}}}"),
                     product.rate(),
                 ),
-                _ => (
-                    format!(r"\dot{{{x}}} {z}"),
-                    sums[i].rate().times(&sums[j]),
-                ),
+                _ => (format!(r"\dot{{{x}}} {z}"), sums[i].rate().times(&sums[j])),
             };
             let said = value.perhaps_damaged(&mut draw);
             claims.push(format!("{left} = {}", said.latex()));
@@ -253,7 +250,13 @@ fn what_is_defined_through_the_time_moves() {
             tally.count(claim, *truth, word);
         }
     }
-    assert!(tally.wrong.is_empty(), "{} of {}: {:#?}", tally.wrong.len(), tally.all(), tally.wrong);
+    assert!(
+        tally.wrong.is_empty(),
+        "{} of {}: {:#?}",
+        tally.wrong.len(),
+        tally.all(),
+        tally.wrong
+    );
     assert_eq!(tally.open, 0, "all are decided");
 }
 
@@ -280,10 +283,7 @@ fn a_prime_is_the_derivative_by_the_argument() {
                 4 => (format!("{f}'(2u)"), first.at(2, 1)),
                 5 => (format!("{f}'(u^2)"), first.at(1, 2)),
                 6 => (format!("{f}''(3)"), second.at(3, 0)),
-                _ => (
-                    format!("{f}'(u) {f}(u)"),
-                    first.times(&sums[i]),
-                ),
+                _ => (format!("{f}'(u) {f}(u)"), first.times(&sums[i])),
             };
             let said = value.perhaps_damaged(&mut draw);
             // What does not depend on the time must not be damaged by it.
@@ -297,7 +297,13 @@ fn a_prime_is_the_derivative_by_the_argument() {
             tally.count(claim, *truth, word);
         }
     }
-    assert!(tally.wrong.is_empty(), "{} of {}: {:#?}", tally.wrong.len(), tally.all(), tally.wrong);
+    assert!(
+        tally.wrong.is_empty(),
+        "{} of {}: {:#?}",
+        tally.wrong.len(),
+        tally.all(),
+        tally.wrong
+    );
     assert_eq!(tally.open, 0, "all are decided");
     assert!(tally.all() >= 200, "{}", tally.all());
 }
@@ -340,7 +346,8 @@ fn a_dot_without_a_time_is_an_error_with_its_place() {
 
 #[test]
 fn primes_keep_a_meaning_of_their_own() {
-    let table = "```toml symbols\na = { }\ny = { }\nx = { }\n'g'''  = { }\n```\n".replace("'g'''  ", "\"g'\" ");
+    let table = "```toml symbols\na = { }\ny = { }\nx = { }\n'g'''  = { }\n```\n"
+        .replace("'g'''  ", "\"g'\" ");
     let preamble = format!(
         "{table}\n```math 1 define\nf(y) = a y^2\n```\n```math 2 define\ng = a y\n```\n```math 3 define\nx' = 3 a\n```\n"
     );

@@ -64,9 +64,22 @@ fn second_moments_are_decided() {
 #[test]
 fn what_moments_do_not_give_is_undecided() {
     let functions = [
-        r"\cos X", r"\sin X", "e^{X}", r"\exp(X)", r"\sqrt{1 + X^2}", "|X|", r"\ln(1 + X^2)",
-        r"\frac{1}{1 + X^2}", r"\frac{a}{b + X}", r"\cosh X", "X^3", "X^4", "a^{X}",
-        r"\cos(aX + b)", r"\sin(\cos X)", r"\sqrt{X^4 + 1}",
+        r"\cos X",
+        r"\sin X",
+        "e^{X}",
+        r"\exp(X)",
+        r"\sqrt{1 + X^2}",
+        "|X|",
+        r"\ln(1 + X^2)",
+        r"\frac{1}{1 + X^2}",
+        r"\frac{a}{b + X}",
+        r"\cosh X",
+        "X^3",
+        "X^4",
+        "a^{X}",
+        r"\cos(aX + b)",
+        r"\sin(\cos X)",
+        r"\sqrt{X^4 + 1}",
     ];
     let arguments = ["r", "s", "r + s", "ar", "(r - s)", "rs"];
     let factors = ["", "r ", "s ", "a r "];
@@ -79,7 +92,11 @@ fn what_moments_do_not_give_is_undecided() {
             true if function.contains("X^") || function.ends_with(" X") => format!("({argument})"),
             _ => argument.to_string(),
         };
-        let body = format!("{}{}", factors[draw.below(4)], function.replace('X', &bracketed));
+        let body = format!(
+            "{}{}",
+            factors[draw.below(4)],
+            function.replace('X', &bracketed)
+        );
         let right = match draw.below(6) {
             0 => body.clone(),
             1 => "0".into(),
@@ -101,14 +118,23 @@ fn what_moments_do_not_give_is_undecided() {
         .filter(|(_, word)| *word != VerdictWord::Undecided)
         .map(|(claim, word)| format!("{claim}: {word}"))
         .collect();
-    assert!(wrong.is_empty(), "{} of {}: {wrong:#?}", wrong.len(), claims.len());
+    assert!(
+        wrong.is_empty(),
+        "{} of {}: {wrong:#?}",
+        wrong.len(),
+        claims.len()
+    );
 }
 
 /// `3/4`, or `-3/4`.
 fn number(n: i64, d: i64) -> String {
     match d {
         1 => n.to_string(),
-        _ => format!(r"{}\frac{{{}}}{{{d}}}", if n < 0 { "-" } else { "" }, n.abs()),
+        _ => format!(
+            r"{}\frac{{{}}}{{{d}}}",
+            if n < 0 { "-" } else { "" },
+            n.abs()
+        ),
     }
 }
 
@@ -121,7 +147,9 @@ fn check(text: &str, claims: &[(String, bool, bool)], tally: &mut Tally) {
             (true, word) => tally.count(claim, *truth, word),
             (false, VerdictWord::Undecided) => tally.open += 1,
             (false, VerdictWord::Refuted | VerdictWord::Misprint) => tally.right += 1,
-            (false, word) => tally.wrong.push(format!("{claim} of no stationary state: {word}")),
+            (false, word) => tally
+                .wrong
+                .push(format!("{claim} of no stationary state: {word}")),
         }
     }
 }
@@ -136,7 +164,8 @@ fn scalar_preamble() -> String {
     }
     text += "```\n```toml notation\n";
     for k in SYSTEMS {
-        text += &format!("'p_{{\\mathrm{{{k}}}}}' = {{ covariance_of = 'r_{{\\mathrm{{{k}}}}}' }}\n");
+        text +=
+            &format!("'p_{{\\mathrm{{{k}}}}}' = {{ covariance_of = 'r_{{\\mathrm{{{k}}}}}' }}\n");
     }
     text + "```\n"
 }
@@ -176,7 +205,11 @@ fn a_scalar_without_a_stationary_state_has_no_variance() {
                     format!("{a} {p} + {p} {a} = -q"),
                     format!("0 = -(2 {a} {p}) - q"),
                 ];
-                (forms[draw.below(3)].clone(), n < 0, format!(r"(-\frac{{q}}{{2 {a}}})"))
+                (
+                    forms[draw.below(3)].clone(),
+                    n < 0,
+                    format!(r"(-\frac{{q}}{{2 {a}}})"),
+                )
             };
             text += &format!("```math solve{k} solve {p}\n{equation}\n```\n");
             let r = format!("r_{{\\mathrm{{{k}}}}}");
@@ -188,8 +221,17 @@ fn a_scalar_without_a_stationary_state_has_no_variance() {
         }
         check(&text, &claims, &mut tally);
     }
-    assert!(tally.wrong.is_empty(), "{} of {}: {:#?}", tally.wrong.len(), tally.all(), tally.wrong);
-    assert!(tally.all() >= 200 && 2 * tally.right >= tally.all(), "{tally:?}");
+    assert!(
+        tally.wrong.is_empty(),
+        "{} of {}: {:#?}",
+        tally.wrong.len(),
+        tally.all(),
+        tally.wrong
+    );
+    assert!(
+        tally.all() >= 200 && 2 * tally.right >= tally.all(),
+        "{tally:?}"
+    );
 }
 
 #[test]
@@ -208,7 +250,9 @@ fn a_matrix_without_a_stationary_state_has_no_covariance() {
             let vector = format!(
                 "\\begin{{bmatrix}} r_{{\\mathrm{{{k}}}}} \\\\ s_{{\\mathrm{{{k}}}}} \\end{{bmatrix}}"
             );
-            text += &format!("'\\mathbf{{P}}_{{\\mathrm{{{k}}}}}' = {{ covariance_of = '{vector}' }}\n");
+            text += &format!(
+                "'\\mathbf{{P}}_{{\\mathrm{{{k}}}}}' = {{ covariance_of = '{vector}' }}\n"
+            );
         }
         text += "```\n";
         let mut claims = Vec::new();
@@ -249,11 +293,24 @@ fn a_matrix_without_a_stationary_state_has_no_covariance() {
             let forms = [format!("{left} = {right}"), format!("{right} = {left}")];
             text += &format!("```math P{k} solve {p}\n{}\n```\n", forms[draw.below(2)]);
             claims.push((format!("{left} = {right}"), stable, true));
-            claims.push((format!("{} = {right}", left.replace("2q", "3q")), stable, false));
+            claims.push((
+                format!("{} = {right}", left.replace("2q", "3q")),
+                stable,
+                false,
+            ));
             claims.push((format!("{p} = {p}^T"), stable, true));
         }
         check(&text, &claims, &mut tally);
     }
-    assert!(tally.wrong.is_empty(), "{} of {}: {:#?}", tally.wrong.len(), tally.all(), tally.wrong);
-    assert!(tally.all() >= 150 && 4 * tally.right >= tally.all(), "{tally:?}");
+    assert!(
+        tally.wrong.is_empty(),
+        "{} of {}: {:#?}",
+        tally.wrong.len(),
+        tally.all(),
+        tally.wrong
+    );
+    assert!(
+        tally.all() >= 150 && 4 * tally.right >= tally.all(),
+        "{tally:?}"
+    );
 }

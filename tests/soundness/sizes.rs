@@ -33,32 +33,68 @@ const CLAIMS: &[(&str, True)] = &[
     (r"\det(-\mathbf M^T) = \det\mathbf M", True::Even),
     (r"\det(2\mathbf M) = 4\det\mathbf M", True::Only(2)),
     (r"\det(a\mathbf M) = a^3\det\mathbf M", True::Only(3)),
-    (r"\det(\mathbf M\mathbf K) = \det\mathbf M\det\mathbf K", True::Always),
+    (
+        r"\det(\mathbf M\mathbf K) = \det\mathbf M\det\mathbf K",
+        True::Always,
+    ),
     (r"\det\mathbf M^T = \det\mathbf M", True::Always),
     (r"\det\mathbf G = 0", True::Odd),
     (r"\operatorname{tr}\mathbf E = 2", True::Only(2)),
     (r"\operatorname{tr}\mathbf E = f", True::Always),
     (r"\operatorname{tr}\mathbf E = 4", True::Only(4)),
-    (r"\operatorname{tr}(\mathbf M\mathbf K) = \operatorname{tr}(\mathbf K\mathbf M)", True::Always),
+    (
+        r"\operatorname{tr}(\mathbf M\mathbf K) = \operatorname{tr}(\mathbf K\mathbf M)",
+        True::Always,
+    ),
     (r"\operatorname{tr}\mathbf G = 0", True::Always),
-    (r"\mathbf M^2 - (\operatorname{tr}\mathbf M)\mathbf M + (\det\mathbf M)\mathbf E = \mathbf 0", True::Only(2)),
-    (r"(\mathbf M\mathbf K)^T = \mathbf K^T\mathbf M^T", True::Always),
-    (r"(\mathbf M\mathbf K)^T = \mathbf M^T\mathbf K^T", True::Never),
+    (
+        r"\mathbf M^2 - (\operatorname{tr}\mathbf M)\mathbf M + (\det\mathbf M)\mathbf E = \mathbf 0",
+        True::Only(2),
+    ),
+    (
+        r"(\mathbf M\mathbf K)^T = \mathbf K^T\mathbf M^T",
+        True::Always,
+    ),
+    (
+        r"(\mathbf M\mathbf K)^T = \mathbf M^T\mathbf K^T",
+        True::Never,
+    ),
     (r"\mathbf M\mathbf K = \mathbf K\mathbf M", True::Never),
-    (r"\mathbf S^T\mathbf M = (\mathbf M^T\mathbf S)^T", True::Always),
+    (
+        r"\mathbf S^T\mathbf M = (\mathbf M^T\mathbf S)^T",
+        True::Always,
+    ),
     (r"\mathbf x^T\mathbf G\mathbf x = 0", True::Always),
-    (r"\mathbf x^T\mathbf M\mathbf x = \mathbf x^T\mathbf M^T\mathbf x", True::Always),
-    (r"\mathbf x^T\mathbf M\mathbf x = \frac{1}{2}\mathbf x^T(\mathbf M + \mathbf M^T)\mathbf x", True::Always),
-    (r"\mathbf x^T\mathbf M\mathbf x = \mathbf x^T(\mathbf M + \mathbf M^T)\mathbf x", True::Never),
-    (r"(\mathbf M + \mathbf K)^2 = \mathbf M^2 + \mathbf M\mathbf K + \mathbf K\mathbf M + \mathbf K^2", True::Always),
-    (r"(\mathbf M + \mathbf K)^2 = \mathbf M^2 + 2\mathbf M\mathbf K + \mathbf K^2", True::Never),
+    (
+        r"\mathbf x^T\mathbf M\mathbf x = \mathbf x^T\mathbf M^T\mathbf x",
+        True::Always,
+    ),
+    (
+        r"\mathbf x^T\mathbf M\mathbf x = \frac{1}{2}\mathbf x^T(\mathbf M + \mathbf M^T)\mathbf x",
+        True::Always,
+    ),
+    (
+        r"\mathbf x^T\mathbf M\mathbf x = \mathbf x^T(\mathbf M + \mathbf M^T)\mathbf x",
+        True::Never,
+    ),
+    (
+        r"(\mathbf M + \mathbf K)^2 = \mathbf M^2 + \mathbf M\mathbf K + \mathbf K\mathbf M + \mathbf K^2",
+        True::Always,
+    ),
+    (
+        r"(\mathbf M + \mathbf K)^2 = \mathbf M^2 + 2\mathbf M\mathbf K + \mathbf K^2",
+        True::Never,
+    ),
     (r"\mathbf M\mathbf E = \mathbf M", True::Always),
     (r"f = 2", True::Only(2)),
     (r"f^2 - 5f + 6 = 0", True::Never),
     (r"(f - 2)(f - 4) = 0", True::Even),
     (r"\sum_{k=1}^{f} k = \frac{f(f+1)}{2}", True::Always),
     (r"\sum_{k=1}^{f} k = f + 1", True::Only(2)),
-    (r"\det(\mathbf E + \mathbf M) = 1 + \operatorname{tr}\mathbf M + \det\mathbf M", True::Only(2)),
+    (
+        r"\det(\mathbf E + \mathbf M) = 1 + \operatorname{tr}\mathbf M + \det\mathbf M",
+        True::Only(2),
+    ),
 ];
 
 /// What a verdict says of all sizes, and of the sizes that it names.
@@ -95,7 +131,10 @@ b = {{ positive = true }}
     let outcome = &audit.outcomes[0];
     let word = outcome.verdict.word();
     let said: Vec<usize> = match &outcome.sizes {
-        Some(only) => only.iter().map(|i| audit.model.instances[*i]["f"]).collect(),
+        Some(only) => only
+            .iter()
+            .map(|i| audit.model.instances[*i]["f"])
+            .collect(),
         None => Vec::new(),
     };
     let right = match word {

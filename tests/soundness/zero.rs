@@ -45,7 +45,11 @@ fn what_divides_by_zero_does_not_hold() {
         (r"\frac{1}{Z}", r"\frac{1}{Z}", r"\frac{2}{Z}"),
         (r"a + \frac{N}{Z} - \frac{N}{Z}", "a", "b"),
         (r"Z^{-1}Z", "1", "x"),
-        (r"\frac{(N)^2 - (Z)^2}{Z}", r"\frac{(N)^2}{Z} - Z", r"\frac{(N)^2}{Z} + Z"),
+        (
+            r"\frac{(N)^2 - (Z)^2}{Z}",
+            r"\frac{(N)^2}{Z} - Z",
+            r"\frac{(N)^2}{Z} + Z",
+        ),
         (r"f(x = Z)Z", "1", "3"),
         (r"\frac{0}{Z}", "0", "1"),
     ];
@@ -71,7 +75,13 @@ fn what_divides_by_zero_does_not_hold() {
             (true, word) => tally.wrong.push(format!("{claim} has no value: {word}")),
         }
     }
-    assert!(tally.wrong.is_empty(), "{} of {}: {:#?}", tally.wrong.len(), tally.all(), tally.wrong);
+    assert!(
+        tally.wrong.is_empty(),
+        "{} of {}: {:#?}",
+        tally.wrong.len(),
+        tally.all(),
+        tally.wrong
+    );
     assert_eq!(tally.open, 0, "all are decided");
 }
 
@@ -152,8 +162,18 @@ c_m = m a, \quad m = 0(1)3
 ```
 ";
     let mut claims = Vec::new();
-    for missing in ["P_{3,4}", "P_{0,1}", "P_{3,1}", "H_{0,1}", "H_{3,3}", "c_4", "c_{-1}", "a_{-1}"] {
-        for claim in ["X = 0", "X + a = a", "bX = 0", "X = X", "a - X = a", "2X = X", "P_{1,1} + X = a"] {
+    for missing in [
+        "P_{3,4}", "P_{0,1}", "P_{3,1}", "H_{0,1}", "H_{3,3}", "c_4", "c_{-1}", "a_{-1}",
+    ] {
+        for claim in [
+            "X = 0",
+            "X + a = a",
+            "bX = 0",
+            "X = X",
+            "a - X = a",
+            "2X = X",
+            "P_{1,1} + X = a",
+        ] {
             claims.push(claim.replace('X', missing));
         }
     }
