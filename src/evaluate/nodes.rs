@@ -127,6 +127,8 @@ impl<D: Domain> Evaluator<'_, D> {
             && self.keep_abbreviations
             && !in_place
             && let Some(letter) = self.model.definitions[d].letter
+            // At a number what depends on the time has another value than as such.
+            && (self.at.is_none() || self.clocks(key.0).is_empty())
         {
             return Ok(Value::Scalar(self.letters[letter].clone()));
         }

@@ -152,7 +152,11 @@ impl<D: Domain> Evaluator<'_, D> {
         }
         // An abbreviation is a letter: what it stands for is differentiated.
         let value = match node {
-            Node::Definition(_) if *derivatives == 1 => self.compute(&before, span)?,
+            Node::Definition(d)
+                if *derivatives == 1 && self.model.definitions[*d].letter.is_some() =>
+            {
+                self.compute(&before, span)?
+            }
             _ => self.node(before, span)?,
         };
         if clocks.is_empty() && !self.field.has_letters() {
@@ -229,7 +233,7 @@ impl<D: Domain> Evaluator<'_, D> {
     }
 
     /// The times that a node's value depends on.
-    fn clocks(&mut self, node: Node) -> BTreeSet<Clock> {
+    pub(super) fn clocks(&mut self, node: Node) -> BTreeSet<Clock> {
         let model = self.model;
         let symbols = self.symbols_behind(node);
         let clocks = symbols.iter().map(|s| model.clock(*s));

@@ -65,6 +65,8 @@ pub(super) struct Builder {
     /// The covariances of the notation, which stand for themselves where nothing else gives their
     /// names a value.
     covariances: Vec<(Name, Node, Span)>,
+    /// The letters that sizes depend on.
+    sizes: BTreeSet<String>,
     /// Where each name got its meaning, for the second place of a duplicate.
     places: BTreeMap<String, Span>,
 }
@@ -108,6 +110,9 @@ impl Builder {
     fn symbols(&mut self, document: &Document) {
         let mut largest = Instance::new();
         for (letter, values) in &document.instance_letters {
+            // A size has its meaning: no equation gives it another one.
+            self.places.insert(letter.text.clone(), letter.span);
+            self.sizes.insert(letter.text.clone());
             largest.insert(
                 letter.text.clone(),
                 values.iter().copied().max().unwrap_or(1),
@@ -644,7 +649,7 @@ impl Builder {
             }
             _ => false,
         };
-        whole || derivative || indexed || power
+        whole || derivative || indexed || power || self.sizes.contains(&latex::canonical(name))
     }
 
     /// Whether a name is a function of one argument, declared or defined.

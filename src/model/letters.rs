@@ -256,8 +256,7 @@ impl Model {
             ExprKind::Name(name) => {
                 letters += 1;
                 arithmetic &= match self.names.whole.get(&latex::canonical(name)) {
-                    // What is defined through the time changes with it.
-                    Some(Node::Symbol(s)) => !matches!(self.clock(*s), super::time::Clock::Runs(_)),
+                    Some(Node::Symbol(s)) => self.symbols[*s].function_of.is_none(),
                     Some(Node::Definition(other)) => self.definitions[*other].letter.is_some(),
                     _ => false,
                 };

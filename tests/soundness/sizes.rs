@@ -12,6 +12,7 @@ enum True {
     Even,
     Odd,
     Only(usize),
+    TwoOrThree,
     Never,
 }
 
@@ -22,6 +23,7 @@ impl True {
             True::Even => f.is_multiple_of(2),
             True::Odd => !f.is_multiple_of(2),
             True::Only(n) => f == n,
+            True::TwoOrThree => f == 2 || f == 3,
             True::Never => false,
         }
     }
@@ -87,7 +89,7 @@ const CLAIMS: &[(&str, True)] = &[
     ),
     (r"\mathbf M\mathbf E = \mathbf M", True::Always),
     (r"f = 2", True::Only(2)),
-    (r"f^2 - 5f + 6 = 0", True::Never),
+    (r"f^2 - 5f + 6 = 0", True::TwoOrThree),
     (r"(f - 2)(f - 4) = 0", True::Even),
     (r"\sum_{k=1}^{f} k = \frac{f(f+1)}{2}", True::Always),
     (r"\sum_{k=1}^{f} k = f + 1", True::Only(2)),
