@@ -91,6 +91,11 @@ pub enum DiagnosticKind {
         /// The letter as printed.
         name: String,
     },
+    /// A dot in a document that has no time.
+    NoTime {
+        /// What stands under it.
+        name: String,
+    },
     /// A name declared or defined twice.
     DuplicateName {
         /// The name.

@@ -64,6 +64,8 @@ pub struct Document {
     pub paper: Option<Paper>,
     /// The letters that sizes of matrices depend on, with the values that they are checked for.
     pub instance_letters: Vec<(Text, Vec<usize>)>,
+    /// The values that these letters have together: at least one, empty where there are no letters.
+    pub instance_values: Vec<Instance>,
     /// The printed equation numbers that the coverage counts, in increasing order without overlap.
     pub equation_numbers: Vec<RangeInclusive<u32>>,
     /// The printed figure numbers that the coverage counts, likewise.
@@ -168,6 +170,7 @@ impl Document {
             source: reader.source,
             paper: reader.paper,
             instance_letters: reader.instance_letters,
+            instance_values: reader.instance_values,
             equation_numbers: reader.equation_numbers,
             figure_numbers: reader.figure_numbers,
             symbols: reader.symbols,
@@ -192,7 +195,7 @@ impl Document {
     /// Every combination of values of the letters that sizes depend on; one empty combination where
     /// there are no such letters.
     pub fn instances(&self) -> Vec<Instance> {
-        size::combinations(&self.instance_letters)
+        self.instance_values.clone()
     }
 
     /// The printed numbers that the coverage counts, one by one.
@@ -250,6 +253,7 @@ struct Reader<'t> {
     rests_on: Option<Text>,
     order: Option<BigRational>,
     instance_letters: Vec<(Text, Vec<usize>)>,
+    instance_values: Vec<Instance>,
     equation_numbers: Vec<RangeInclusive<u32>>,
     figure_numbers: Vec<RangeInclusive<u32>>,
     symbols: Vec<Symbol>,
@@ -280,6 +284,7 @@ impl<'t> Reader<'t> {
             rests_on: None,
             order: None,
             instance_letters: Vec::new(),
+            instance_values: vec![Instance::new()],
             equation_numbers: Vec::new(),
             figure_numbers: Vec::new(),
             symbols: Vec::new(),
@@ -478,8 +483,8 @@ impl<'t> Reader<'t> {
         self.remarks = fields.texts("remarks");
         self.rests_on = fields.text("rests_on");
         self.order = fields.number("order").map(|(order, _)| order);
-        let instances = fields.table("instances");
-        self.instance_letters = size::instances(instances, fields.report());
+        let instances = fields.take("instances");
+        (self.instance_letters, self.instance_values) = size::named(instances, fields.report());
         self.equation_numbers = paper::numbers(numbers, fields.report());
         self.figure_numbers = paper::numbers(figures, fields.report());
         self.paper = paper.and_then(|value| paper::paper(value, fields.report()));

@@ -79,6 +79,11 @@ pub trait Domain {
         Vec::new()
     }
 
+    /// The letters that occur, those in the arguments of functions among them.
+    fn letters_behind(&self, element: &Self::Element) -> BTreeSet<usize> {
+        self.letters(element).into_iter().collect()
+    }
+
     /// The element as a polynomial in some of the letters: each monomial as its letters in
     /// increasing order, each as often as its exponent says, with its coefficient. `None` over
     /// fields without letters, or where one of the letters stands in the denominator.
@@ -248,6 +253,12 @@ impl Domain for Symbolic {
         letters.sort_unstable();
         letters.dedup();
         letters
+    }
+    fn letters_behind(&self, element: &RationalFunction) -> BTreeSet<usize> {
+        match &self.functions {
+            Some(table) => table.letters_behind(element),
+            None => self.letters(element).into_iter().collect(),
+        }
     }
     fn polynomial_in(
         &self,

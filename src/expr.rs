@@ -405,6 +405,13 @@ impl Name {
             ..self.clone()
         }
     }
+
+    /// The same name without its last `primes` primes; `None` where it has not so many.
+    pub fn unprimed(&self, primes: u8) -> Option<Self> {
+        let mut name = self.clone();
+        name.letter.primes = name.letter.primes.checked_sub(primes)?;
+        Some(name)
+    }
 }
 
 impl Expr {

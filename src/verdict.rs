@@ -203,6 +203,9 @@ pub struct Outcome {
     pub after: Option<After>,
     /// The hypotheses printed around the equation that were used, in LaTeX.
     pub assumed: Vec<String>,
+    /// The instances at which something was seen to hold that depends on their sizes and was proved at
+    /// these only; none where the proof is free of sizes.
+    pub sizes: Option<Vec<usize>>,
     /// The instances of the model for which the verdict is this one: all, or those for which it is
     /// worst.
     pub instances: Vec<usize>,

@@ -17,3 +17,12 @@ mod readings;
 mod signs;
 #[path = "soundness/statements.rs"]
 mod statements;
+
+#[path = "soundness/dots.rs"]
+mod dots;
+#[path = "soundness/expectations.rs"]
+mod expectations;
+#[path = "soundness/sizes.rs"]
+mod sizes;
+#[path = "soundness/zero.rs"]
+mod zero;

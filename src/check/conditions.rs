@@ -6,6 +6,7 @@
 //! the imaginary unit that of its squared modulus.
 
 use super::Checker;
+use crate::evaluate::Origin;
 use crate::functions::FunctionLetter;
 use crate::functions::quadratic::reduce_polynomial;
 use crate::matrix::Matrix;
@@ -24,6 +25,16 @@ impl Checker<'_> {
     pub(crate) fn conditions(&self) -> Vec<NonVanishing> {
         let mut found: Vec<NonVanishing> = Vec::new();
         for condition in &self.exact.conditions {
+            // What must be positive is named whole: two negative factors would do.
+            if let Origin::Stability(_) = condition.origin {
+                let factor = condition.divisor.numerator() * condition.divisor.denominator();
+                found.push(NonVanishing {
+                    factor,
+                    origin: condition.origin.clone(),
+                    because: None,
+                });
+                continue;
+            }
             for factor in irreducible_factors(condition.divisor.numerator()) {
                 if found.iter().any(|f| f.factor == factor) {
                     continue;

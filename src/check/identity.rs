@@ -47,8 +47,21 @@ impl Checker<'_> {
         let span = self.model.equations[equation].span;
         let at = |place: Place| place.find(&display).map_or(span, |side| side.span);
         let both = at(link.left).to(at(link.right));
+        // The divisors of these sides only: others may stand there from before.
+        let before = std::mem::take(&mut self.exact.conditions);
+        let sides = sides_of(&mut self.exact, &display, link, span);
+        let vanishing = self.vanishing_divisor();
+        for condition in before {
+            if !self.exact.conditions.contains(&condition) {
+                self.exact.conditions.push(condition);
+            }
+        }
+        let sides = sides?;
+        if let Some(failure) = vanishing {
+            return Err(failure);
+        }
         let mut entries = Vec::new();
-        for (indices, left, right) in sides_of(&mut self.exact, &display, link, span)? {
+        for (indices, left, right) in sides {
             entries.extend(self.paired(&left, &right, &indices, both)?);
         }
         Ok(entries)

@@ -23,10 +23,35 @@ impl Checker<'_> {
         unusable: Option<&str>,
         positivity: &mut Option<Positivity>,
     ) -> Verdict {
+        self.exact.conditions.clear();
+        let verdict = self.verdict_as_it_is(equation, l, unusable, positivity);
+        // Nothing is said of what has no value; a correction was proved to have one.
+        let said = match &verdict {
+            Verdict::Holds { .. } | Verdict::HoldsGiven(..) | Verdict::Definition { .. } => true,
+            Verdict::Refuted(refutation) => refutation.misfit().is_none(),
+            Verdict::Misprint { .. } | Verdict::Undecided { .. } | Verdict::Recalled { .. } => {
+                false
+            }
+        };
+        match self.vanishing_divisor().filter(|_| said) {
+            Some(failure) => {
+                *positivity = None;
+                self.failed(&failure)
+            }
+            None => verdict,
+        }
+    }
+
+    fn verdict_as_it_is(
+        &mut self,
+        equation: usize,
+        l: usize,
+        unusable: Option<&str>,
+        positivity: &mut Option<Positivity>,
+    ) -> Verdict {
         let model = self.model;
         let printed = &model.equations[equation];
         let link = &printed.links[l];
-        self.exact.conditions.clear();
         if let Role::Recall(reason) = &printed.role {
             Verdict::Recalled {
                 reason: reason.clone(),
@@ -98,6 +123,9 @@ impl Checker<'_> {
                 return self.failed(&failure);
             }
         }
+        if let Some(verdict) = self.no_covariance(Node::Definition(definition), d.equation) {
+            return verdict;
+        }
         let mut what = latex::canonical(&d.name);
         match &d.kind {
             DefinitionKind::Power(n) => what = format!("{what}^{n}"),
@@ -126,10 +154,13 @@ impl Checker<'_> {
         );
         match self.exact.value_of(key, span) {
             Ok(_) => {
-                if let Some(proof) = self.instability(system) {
-                    return Verdict::Refuted(Refutation::by_counter_proof(proof));
-                }
                 let unknowns = &model.systems[system].unknowns;
+                for position in 0..unknowns.len() {
+                    let node = Node::Unknown { system, position };
+                    if let Some(verdict) = self.no_covariance(node, equation) {
+                        return verdict;
+                    }
+                }
                 let names: Vec<String> = unknowns.iter().map(latex::canonical).collect();
                 Verdict::Definition {
                     what: names.join(", "),
@@ -308,7 +339,14 @@ impl Checker<'_> {
             FailureKind::NotLinear => "the equation is not linear in its unknowns".into(),
             FailureKind::Underdetermined => "the unknowns are not determined".into(),
             FailureKind::Inconsistent => "the equations contradict each other".into(),
-            _ => "the document has an error".into(),
+            FailureKind::DivisionByZero => "no value: it divides by what is zero".into(),
+            FailureKind::NotStationary => {
+                "no stationary covariance: its system is not stable".into()
+            }
+            FailureKind::Shape { .. }
+            | FailureKind::Exponent { .. }
+            | FailureKind::Ambiguous { .. }
+            | FailureKind::Undeclared { .. } => "the document has an error".into(),
         }
     }
 }

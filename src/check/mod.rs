@@ -17,6 +17,7 @@ mod identity;
 mod instances;
 mod limits;
 mod link;
+mod no_value;
 mod order;
 mod part;
 mod proof;
@@ -25,11 +26,13 @@ mod relations;
 mod repair;
 mod scope;
 mod sides;
+mod sizes;
 mod statement;
 mod stationary;
 pub(crate) mod trial;
 mod units;
 mod witness;
+mod words;
 
 pub(crate) use recalled::recalled_and_false;
 
@@ -148,6 +151,7 @@ pub fn check_telling<'m>(
         checker.tell = Some(tell);
         verdicts = instances::all(verdicts, checker.run()?);
     }
+    sizes::name(model, &mut verdicts);
     Ok(verdicts)
 }
 
@@ -205,6 +209,10 @@ impl<'m> Checker<'m> {
     fn insert_abbreviations(&mut self) {
         let model = self.model;
         self.inserted.clear();
+        let abbreviation = |node: &Node| matches!(node, Node::Definition(d) if model.definitions[*d].letter.is_some());
+        let mut without_value = self.exact.without_value().clone();
+        without_value.retain(|node, _| !abbreviation(node));
+        self.exact.set_without_value(without_value);
         let mut expanding = self.exact.anew();
         expanding.keep_abbreviations = false;
         for (letter, kind) in model.letters.iter().enumerate() {
@@ -216,7 +224,12 @@ impl<'m> Checker<'m> {
                         self.inserted.insert(letter, value);
                     }
                     Ok(_) => {}
-                    Err(failure) => self.note(&failure),
+                    Err(failure) => {
+                        self.note(&failure);
+                        // A letter for what has no value would pass for any number.
+                        let node = Node::Definition(*definition);
+                        self.exact.has_no_value(node, failure.kind);
+                    }
                 }
             }
         }
@@ -274,6 +287,9 @@ impl<'m> Checker<'m> {
                 let outcomes = self.settle_links(equation, None);
                 let under = std::mem::replace(&mut self.exact, free);
                 self.inserted = inserted;
+                for (node, kind) in under.without_value() {
+                    self.exact.has_no_value(*node, kind.clone());
+                }
                 if let Some((_, display)) = under.corrections().find(|(e, _)| **e == equation) {
                     self.exact.correct(equation, display.clone());
                 }
@@ -313,6 +329,7 @@ impl<'m> Checker<'m> {
             positivity,
             after,
             assumed: assumed.collect(),
+            sizes: None,
             instances: vec![self.instance],
         }
     }

@@ -91,6 +91,7 @@ impl Nonsense {
             FailureKind::NotLinear | FailureKind::Underdetermined | FailureKind::Inconsistent => {
                 Nonsense::Undetermined
             }
+            FailureKind::NotStationary => Nonsense::Undetermined,
             FailureKind::Divergent { .. } => Nonsense::Divergent,
             FailureKind::NeedsItself => Nonsense::Circular,
             FailureKind::Budget { .. } | FailureKind::Unsupported { .. } => return None,
@@ -108,6 +109,7 @@ impl fmt::Display for Nonsense {
 pub(crate) struct Change {
     displaced: Displaced<RationalFunction>,
     inserted: Option<BTreeMap<usize, RationalFunction>>,
+    without_value: BTreeMap<Node, FailureKind>,
 }
 
 /// Both sides of a link for each value of its indices, all definitions inserted.
@@ -139,6 +141,7 @@ impl<'m> Checker<'m> {
         display: Display,
         stale: &BTreeSet<Node>,
     ) -> Change {
+        let without_value = self.exact.without_value().clone();
         let displaced = self.exact.put_in_place(equation, display, stale);
         let abbreviation = |letter: &Letter| {
             matches!(letter, Letter::Abbreviation { definition }
@@ -153,12 +156,14 @@ impl<'m> Checker<'m> {
         Change {
             displaced,
             inserted,
+            without_value,
         }
     }
 
     /// Undoes [`Checker::put_in_place`].
     pub(crate) fn put_back(&mut self, change: Change) {
         self.exact.put_back(change.displaced);
+        self.exact.set_without_value(change.without_value);
         if let Some(inserted) = change.inserted {
             self.inserted = inserted;
         }

@@ -109,6 +109,10 @@ fn every_kind_has_words() {
             "nothing says what `stuff` is",
         ),
         (
+            DiagnosticKind::NoTime { name: s() },
+            "by what the dot over `stuff` differentiates",
+        ),
+        (
             DiagnosticKind::DuplicateName { name: s() },
             "`stuff` is declared or defined twice",
         ),

@@ -102,6 +102,11 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "part of the circle".into(),
             "make one of them a claim".into(),
         ),
+        DiagnosticKind::NoTime { name } => (
+            format!("nothing says by what the dot over {} differentiates", quote(name)),
+            "a derivative by the time".into(),
+            "declare the time, `t = { unit = \"s\" }`, or what is a function of it".into(),
+        ),
         DiagnosticKind::ShapeMismatch {
             operation,
             left,

@@ -97,8 +97,82 @@ fn is_letter(word: &str) -> bool {
     word.len() == 1 && word.chars().all(|c| c.is_ascii_alphabetic())
 }
 
+/// Letters with their values.
+type Letters = Vec<(Text, Vec<usize>)>;
+
+/// Decodes `{ f = [2, 3] }`, every combination of the letters' values, or `[{ n = 2, r = 3 }, { n = 3, r = 4 }]`,
+/// these and no others.
+pub(super) fn named(
+    value: Option<Value>,
+    report: &mut Vec<Diagnostic>,
+) -> (Letters, Vec<Instance>) {
+    let Some(value) = value else {
+        return (Letters::new(), vec![Instance::new()]);
+    };
+    let what = "a table such as { f = [2, 3] }, or a list of such as [{ f = 2 }, { f = 3 }]";
+    match value.kind {
+        ValueKind::Table(entries) => {
+            let letters = instances(entries, report);
+            let values = combinations(&letters);
+            (letters, values)
+        }
+        ValueKind::Array(ref items) if !items.is_empty() => {
+            match listed(items).filter(|(_, list)| list.len() <= INSTANCES_LIMIT) {
+                Some(named) => named,
+                None => {
+                    report.push(value.expected(&format!(
+                        "up to {INSTANCES_LIMIT} tables with the same letters, each with a number from 1 to {INSTANCE_LIMIT}"
+                    )));
+                    (Letters::new(), vec![Instance::new()])
+                }
+            }
+        }
+        ValueKind::String(_)
+        | ValueKind::Number(_)
+        | ValueKind::Boolean(_)
+        | ValueKind::Array(_)
+        | ValueKind::Date => {
+            report.push(value.expected(what));
+            (Letters::new(), vec![Instance::new()])
+        }
+    }
+}
+
+/// Instances that are listed, all with the same letters, none twice.
+fn listed(items: &[Value]) -> Option<(Letters, Vec<Instance>)> {
+    let mut letters = Letters::new();
+    let mut list: Vec<Instance> = Vec::new();
+    for item in items {
+        let ValueKind::Table(entries) = &item.kind else {
+            return None;
+        };
+        let mut instance = Instance::new();
+        for (letter, value) in entries {
+            let value = number(&value.kind).filter(|_| is_letter(&letter.text))?;
+            instance.insert(letter.text.clone(), value);
+            match letters
+                .iter_mut()
+                .find(|(known, _)| known.text == letter.text)
+            {
+                Some((_, values)) => values.push(value),
+                None if list.is_empty() => letters.push((letter.clone(), vec![value])),
+                None => return None,
+            }
+        }
+        if instance.len() != letters.len() || list.contains(&instance) {
+            return None;
+        }
+        list.push(instance);
+    }
+    for (_, values) in &mut letters {
+        values.sort_unstable();
+        values.dedup();
+    }
+    (!letters.is_empty()).then_some((letters, list))
+}
+
 /// Decodes `{ f = [2, 3] }`.
-pub(super) fn instances(entries: Entries, report: &mut Vec<Diagnostic>) -> Vec<(Text, Vec<usize>)> {
+fn instances(entries: Entries, report: &mut Vec<Diagnostic>) -> Vec<(Text, Vec<usize>)> {
     let mut found = Vec::new();
     for (letter, value) in entries {
         if !is_letter(&letter.text) {
@@ -149,7 +223,7 @@ fn number(kind: &ValueKind) -> Option<usize> {
 
 /// Every combination of the letters' values, the last letter running fastest; one without letters
 /// where there are none.
-pub(super) fn combinations(letters: &[(Text, Vec<usize>)]) -> Vec<Instance> {
+fn combinations(letters: &[(Text, Vec<usize>)]) -> Vec<Instance> {
     letters
         .iter()
         .fold(vec![Instance::new()], |shorter, (letter, values)| {

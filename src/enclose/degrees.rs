@@ -134,7 +134,7 @@ impl<'w, 'm> Degrees<'w, 'm> {
                 let symbols = self.world.behind(node).symbols.clone();
                 self.moving(symbols, |d| d.of_node(node))
             }
-            Resolved::Indexed { .. } => None,
+            Resolved::Primed { .. } | Resolved::Indexed { .. } => None,
         }
     }
 

@@ -56,6 +56,10 @@ impl Evaluator<'_, '_> {
                 self.letter(symbol, order, span).map(Value::Scalar)
             }
             Resolved::Node { node, derivatives } => self.node_rate(node, derivatives, span),
+            Resolved::Primed { .. } => {
+                let what = "the derivative of a function by its argument";
+                Err(Reason::Unsupported(what).at(span))
+            }
             Resolved::Indexed { key, indices } => {
                 let indices: Vec<i64> = indices
                     .iter()

@@ -34,15 +34,7 @@ pub struct World<'m> {
 impl<'m> World<'m> {
     /// A model in one of its instances, with these displays in place of the printed ones.
     pub fn new(model: &'m Model, instance: usize, corrected: BTreeMap<usize, Display>) -> Self {
-        let mut times: BTreeSet<String> = model
-            .symbols
-            .iter()
-            .filter_map(|s| s.function_of.as_ref().map(latex::canonical))
-            .collect();
-        let plain_time = |s: &crate::model::Symbol| latex::canonical(&s.name) == "t";
-        if times.is_empty() && model.symbols.iter().any(plain_time) {
-            times.insert("t".into());
-        }
+        let times = model.times.clone();
         let mut values: BTreeMap<String, Vec<Node>> = BTreeMap::new();
         for (d, definition) in model.definitions.iter().enumerate() {
             if let DefinitionKind::ValueAt(_) = definition.kind {

@@ -3,10 +3,9 @@
 //! Invariant: after [`Evaluator::put_back`] the evaluator is as it was before
 //! [`Evaluator::put_in_place`], down to what it has computed.
 
-use super::{Evaluator, Key, Known};
+use super::{Evaluator, Key, Known, Stationary};
 use crate::domain::Domain;
 use crate::expr::Display;
-use crate::matrix::Matrix;
 use crate::model::Node;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,7 +16,7 @@ pub(crate) struct Displaced<E> {
     display: Option<Display>,
     known: BTreeMap<Key, Known<E>>,
     kept: BTreeSet<Key>,
-    lyapunov: BTreeMap<usize, Matrix<E>>,
+    stationary: BTreeMap<usize, Stationary<E>>,
 }
 
 /// The node as dependences know it: all unknowns of a system are one.
@@ -50,10 +49,10 @@ impl<D: Domain> Evaluator<'_, D> {
             .into_iter()
             .filter_map(|key| self.known.remove_entry(&key))
             .collect();
-        let lyapunov = if stale.is_empty() {
+        let stationary = if stale.is_empty() {
             BTreeMap::new()
         } else {
-            self.lyapunov.clone()
+            self.stationary.clone()
         };
         self.behind.clear();
         Displaced {
@@ -61,7 +60,7 @@ impl<D: Domain> Evaluator<'_, D> {
             display: self.corrected.insert(equation, display),
             known,
             kept: self.known.keys().cloned().collect(),
-            lyapunov,
+            stationary,
         }
     }
 
@@ -74,8 +73,8 @@ impl<D: Domain> Evaluator<'_, D> {
         };
         self.known.retain(|key, _| displaced.kept.contains(key));
         self.known.extend(displaced.known);
-        if !displaced.lyapunov.is_empty() {
-            self.lyapunov = displaced.lyapunov;
+        if !displaced.stationary.is_empty() {
+            self.stationary = displaced.stationary;
         }
         self.behind.clear();
         // A failure may have left these behind.
@@ -98,7 +97,7 @@ impl<D: Domain> Evaluator<'_, D> {
     {
         let mut twin = self.anew();
         twin.known = self.known.clone();
-        twin.lyapunov = self.lyapunov.clone();
+        twin.stationary = self.stationary.clone();
         twin
     }
 }

@@ -5,7 +5,8 @@
 //! in processes (an acceleration is one by the equation of motion). The expectation is linear:
 //! a constant is its own, a term of degree one has none, and the quadratic terms are written as
 //! a combination of products of two such entries, by comparing coefficients, each of which has its
-//! covariance. What cannot be written so is outside of what is decided; nothing is assumed.
+//! covariance. What cannot be written so is outside of what is decided; nothing is assumed. Above all a
+//! function of a random quantity is neither a constant nor a polynomial, whatever stands beside it.
 
 use super::{Evaluator, Failure, Value};
 use crate::domain::Domain;
@@ -149,6 +150,32 @@ impl<D: Domain> Evaluator<'_, D> {
         }
     }
 
+    /// Whether any process stands in an element, alone or in the argument of a function.
+    fn holds_process(&self, element: &D::Element) -> bool {
+        let letters = self.field.letters_behind(element);
+        letters.iter().any(|letter| self.is_process(*letter))
+    }
+
+    /// Whether an element has a function of a process.
+    fn holds_function_of_process(&self, element: &D::Element) -> bool {
+        let plain = self.field.letters(element);
+        let mut behind = self.field.letters_behind(element).into_iter();
+        let functions = plain
+            .iter()
+            .any(|l| matches!(self.model.letters[*l], Letter::Function { .. }));
+        // A letter of a function that occurs, and a process behind it.
+        functions
+            && (behind.any(|l| self.is_process(l) && !plain.contains(&l))
+                || plain.iter().any(|l| {
+                    let steps = self.field.functions().and_then(|f| f.chain(*l));
+                    match steps {
+                        None => false,
+                        Some(Err(_)) => true,
+                        Some(Ok(steps)) => steps.iter().any(|(_, inner)| self.holds_process(inner)),
+                    }
+                }))
+    }
+
     /// The random vectors of the notation, in pairs.
     fn random_vectors(&mut self, span: Span) -> Result<Vec<[Vec<D::Element>; 2]>, Failure> {
         let model = self.model;
@@ -217,7 +244,7 @@ impl<D: Domain> Evaluator<'_, D> {
         terms
             .into_iter()
             .map(|(letters, coefficient)| match letters[..] {
-                [letter] => Ok((letter, coefficient)),
+                [letter] if !self.holds_process(&coefficient) => Ok((letter, coefficient)),
                 _ => Err(outside()),
             })
             .collect()
@@ -253,6 +280,11 @@ impl<D: Domain> Evaluator<'_, D> {
         span: Span,
     ) -> Result<Combination<D::Element>, Failure> {
         let outside = |what: &str| Failure::unsupported(what, span);
+        if self.holds_function_of_process(entry) {
+            return Err(outside(
+                "the expectation of a function of random quantities",
+            ));
+        }
         let terms = self
             .field
             .polynomial_in(entry, random)
@@ -260,8 +292,7 @@ impl<D: Domain> Evaluator<'_, D> {
         let mut constant = self.field.integer(0);
         let mut quadratic: BTreeMap<Pair, D::Element> = BTreeMap::new();
         for (letters, coefficient) in terms {
-            let occurring = self.field.letters(&coefficient);
-            if occurring.iter().any(|letter| self.is_process(*letter)) {
+            if self.holds_process(&coefficient) {
                 return Err(outside(
                     "the expectation of a process that no covariance names",
                 ));

@@ -52,6 +52,8 @@ pub enum FailureKind {
     },
     /// A definition whose value needs itself.
     NeedsItself,
+    /// A covariance whose system has no stationary state.
+    NotStationary,
     /// An equation to be solved that is not linear in its unknowns.
     NotLinear,
     /// An equation to be solved with more than one solution.
@@ -121,7 +123,8 @@ impl Failure {
     }
 
     /// The diagnostic for a failure that makes a document unusable; `None` for one that only
-    /// leaves a claim undecided (a limit, something unsupported) or refutes it (an index outside).
+    /// leaves a claim undecided (a limit, a divisor that is zero, something unsupported) or refutes it
+    /// (an index outside).
     pub fn diagnostic(&self) -> Option<Diagnostic> {
         let kind = match self.kind.clone() {
             FailureKind::Shape {
@@ -133,7 +136,6 @@ impl Failure {
                 left,
                 right,
             },
-            FailureKind::DivisionByZero => DiagnosticKind::DivisionByZero,
             FailureKind::Exponent { exponent, limit } => {
                 DiagnosticKind::Exponent { exponent, limit }
             }
@@ -144,7 +146,17 @@ impl Failure {
                 ],
             },
             FailureKind::Undeclared { name } => DiagnosticKind::UndeclaredName { name },
-            _ => return None,
+            // What these spoil is the place where they stand and what rests on it, and no more.
+            FailureKind::DivisionByZero
+            | FailureKind::Outside { .. }
+            | FailureKind::NeedsItself
+            | FailureKind::NotStationary
+            | FailureKind::NotLinear
+            | FailureKind::Underdetermined
+            | FailureKind::Inconsistent
+            | FailureKind::Budget { .. }
+            | FailureKind::Divergent { .. }
+            | FailureKind::Unsupported { .. } => return None,
         };
         Some(Diagnostic::new(kind, self.span))
     }

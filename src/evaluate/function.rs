@@ -29,13 +29,13 @@ type Result<T> = std::result::Result<T, Failure>;
 
 impl<D: Domain> Evaluator<'_, D> {
     /// What the field can do with functions.
-    fn functions(&self, what: &str, span: Span) -> Result<&dyn Functions<D::Element>> {
+    pub(super) fn functions(&self, what: &str, span: Span) -> Result<&dyn Functions<D::Element>> {
         self.field
             .functions()
             .ok_or_else(|| Failure::unsupported(what, span))
     }
 
-    fn possible<T>(result: Possible<T>, span: Span) -> Result<T> {
+    pub(super) fn possible<T>(result: Possible<T>, span: Span) -> Result<T> {
         result.map_err(|why| Failure::impossible(why, span))
     }
 
@@ -115,6 +115,13 @@ impl<D: Domain> Evaluator<'_, D> {
                 node,
                 derivatives: 0,
             }) => Some(node),
+            Ok(Resolved::Primed { node, primes }) => {
+                let [argument] = arguments else {
+                    let what = "the derivative of a function with several arguments";
+                    return Err(Failure::unsupported(what, span));
+                };
+                return self.derivative_by_argument(node, primes, Some(argument), span);
+            }
             _ => None,
         };
         if let Some(Node::Notation(n)) = node
@@ -146,7 +153,7 @@ impl<D: Domain> Evaluator<'_, D> {
     }
 
     /// The letters that a definition is one of functions of, as corrected.
-    fn parameters(&self, definition: &Definition) -> Vec<Name> {
+    pub(super) fn parameters(&self, definition: &Definition) -> Vec<Name> {
         let clause = definition.place.clause();
         let head = Place::Member { clause, member: 0 };
         let arguments = match head
@@ -255,11 +262,15 @@ impl<D: Domain> Evaluator<'_, D> {
         let Some(replaced) = self.replaced.last() else {
             return false;
         };
-        if !self.behind.contains_key(&node) {
-            let symbols = self.model.symbols_behind(node, &self.corrected);
-            self.behind.insert(node, symbols);
-        }
-        !self.behind[&node].is_disjoint(&replaced.symbols)
+        let replaced = replaced.symbols.clone();
+        !self.symbols_behind(node).is_disjoint(&replaced)
+    }
+
+    /// The symbols that a node's value depends on.
+    pub(super) fn symbols_behind(&mut self, node: Node) -> &BTreeSet<usize> {
+        let (model, corrected) = (self.model, &self.corrected);
+        let found = self.behind.entry(node);
+        found.or_insert_with(|| model.symbols_behind(node, corrected))
     }
 
     /// An integral, over a letter of its own.
@@ -443,7 +454,12 @@ impl<D: Domain> Evaluator<'_, D> {
         Ok(value)
     }
 
-    fn partial(&mut self, element: &D::Element, by: usize, span: Span) -> Result<D::Element> {
+    pub(super) fn partial(
+        &mut self,
+        element: &D::Element,
+        by: usize,
+        span: Span,
+    ) -> Result<D::Element> {
         let partials = self
             .field
             .partial_derivatives(element)
@@ -476,18 +492,5 @@ impl<D: Domain> Evaluator<'_, D> {
             sum = self.field.add(&sum, &self.field.multiply(&partial, &rate));
         }
         Ok(sum)
-    }
-
-    /// The time derivative of a letter that stands for a function.
-    pub(super) fn rate_of_function(&mut self, letter: usize, span: Span) -> Result<D::Element> {
-        let steps = self.field.functions().and_then(|f| f.chain(letter));
-        let mut rate = self.field.integer(0);
-        for (factor, argument) in Self::possible(steps.unwrap_or(Ok(Vec::new())), span)? {
-            let Value::Scalar(inner) = self.differentiate(Value::Scalar(argument), 1, span)? else {
-                continue;
-            };
-            rate = self.field.add(&rate, &self.field.multiply(&factor, &inner));
-        }
-        Ok(rate)
     }
 }

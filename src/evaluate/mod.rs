@@ -13,6 +13,7 @@ mod function;
 mod index;
 mod nodes;
 mod operations;
+mod rate;
 mod solve;
 pub mod value;
 
@@ -20,13 +21,13 @@ use operations::p_span;
 
 pub(crate) use change::Displaced;
 pub use failure::{Failure, FailureKind};
+pub use solve::Stationary;
 pub use value::Value;
 
 use crate::domain::Domain;
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
 use crate::functions::Supposed;
 use crate::functions::integral::End;
-use crate::matrix::Matrix;
 use crate::model::names::Resolved;
 use crate::model::{Model, Node};
 use crate::span::Span;
@@ -59,6 +60,8 @@ pub enum Origin {
     /// It is the determinant of the linear system that this equation poses (an index into the
     /// model's equations).
     Determinant(usize),
+    /// It must even be positive for the covariance that this equation determines to exist.
+    Stability(usize),
 }
 
 /// What names a value: a node, its indices and how often it is differentiated.
@@ -100,8 +103,10 @@ pub struct Evaluator<'m, D: Domain> {
     bound: Vec<(String, i64)>,
     /// How many rows the next matrix should have where zeros of any shape leave that open.
     wanted_rows: Option<usize>,
-    /// The matrices A of the systems that are Lyapunov equations A X + X A^T + Q = 0.
-    lyapunov: BTreeMap<usize, Matrix<D::Element>>,
+    /// What the systems that are equations of a stationary state are about.
+    stationary: BTreeMap<usize, Stationary<D::Element>>,
+    /// Nodes that were found to have no value, and why.
+    without_value: BTreeMap<Node, FailureKind>,
     provider: Option<Box<Provider<'m, D::Element>>>,
     /// Letters that stand for something else while a function's body is evaluated: the symbols,
     /// and what was computed with them so.
@@ -146,7 +151,8 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             trial: BTreeMap::new(),
             bound: Vec::new(),
             wanted_rows: None,
-            lyapunov: BTreeMap::new(),
+            stationary: BTreeMap::new(),
+            without_value: BTreeMap::new(),
             provider: None,
             replaced: Vec::new(),
             behind: BTreeMap::new(),
@@ -213,6 +219,7 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         let mut anew = Evaluator::new(self.model, self.field.clone(), self.letters.clone());
         anew.instance = self.instance;
         anew.corrected = self.corrected.clone();
+        anew.without_value = self.without_value.clone();
         anew
     }
 
@@ -227,9 +234,29 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         other
     }
 
-    /// The matrix A of a solved system that is a Lyapunov equation A X + X A^T + Q = 0.
-    pub fn lyapunov_matrix(&self, system: usize) -> Option<&Matrix<D::Element>> {
-        self.lyapunov.get(&system)
+    /// What a solved system is about, if it is the equation of a stationary state.
+    pub fn stationary(&self, system: usize) -> Option<&Stationary<D::Element>> {
+        self.stationary.get(&system)
+    }
+
+    /// Takes it that a node has no value, for this reason.
+    pub(crate) fn has_no_value(&mut self, node: Node, kind: FailureKind) {
+        if self.without_value.insert(node, kind).is_none() {
+            self.known.clear();
+        }
+    }
+
+    /// The nodes that have no value.
+    pub(crate) fn without_value(&self) -> &BTreeMap<Node, FailureKind> {
+        &self.without_value
+    }
+
+    /// Takes back what was found out about nodes without a value, for this.
+    pub(crate) fn set_without_value(&mut self, nodes: BTreeMap<Node, FailureKind>) {
+        if self.without_value != nodes {
+            self.without_value = nodes;
+            self.known.clear();
+        }
     }
 
     /// The model.
@@ -361,7 +388,10 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 Some(letter) if !self.is_time(Some(letter)) => {
                     self.derivative(*order, letter, body, span)
                 }
-                _ => self.rate_of(body, *order, span),
+                _ => {
+                    self.one_time(variable.as_ref(), body, span)?;
+                    self.rate_of(body, *order, span)
+                }
             },
             ExprKind::Named { .. } => Err(Failure::unsupported("an argument by name", span)),
             ExprKind::Tuple(_) => Err(Failure::unsupported("a tuple", span)),
@@ -387,8 +417,8 @@ impl<'m, D: Domain> Evaluator<'m, D> {
     pub fn sides(&mut self, left: &Expr, right: &Expr) -> Result<Sides<D::Element>, Failure> {
         match (&left.kind, &right.kind) {
             (ExprKind::Constant, ExprKind::Constant) => Ok((Value::Zero, Value::Zero)),
-            (_, ExprKind::Constant) => Ok((self.rate_of(left, 1, left.span)?, Value::Zero)),
-            (ExprKind::Constant, _) => Ok((Value::Zero, self.rate_of(right, 1, right.span)?)),
+            (_, ExprKind::Constant) => Ok((self.rate_of_constant(left)?, Value::Zero)),
+            (ExprKind::Constant, _) => Ok((Value::Zero, self.rate_of_constant(right)?)),
             _ => Ok((self.expression(left)?, self.expression(right)?)),
         }
     }
@@ -436,18 +466,20 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         self.bound_value(&crate::latex::canonical(name)).is_some()
     }
 
+    /// The time derivative of what is said to be constant.
+    fn rate_of_constant(&mut self, expr: &Expr) -> Result<Value<D::Element>, Failure> {
+        if self.model.times.is_empty() {
+            let what = "a constant where nothing is the time";
+            return Err(Failure::unsupported(what, expr.span));
+        }
+        self.one_time(None, expr, expr.span)?;
+        self.rate_of(expr, 1, expr.span)
+    }
+
     /// Whether a derivative by this variable is the one that dots mean: no variable is printed, or
-    /// the one that processes are functions of.
+    /// a time of the document.
     pub(super) fn is_time(&self, variable: Option<&Name>) -> bool {
-        let time = |name: &Name| {
-            let mut processes = self
-                .model
-                .symbols
-                .iter()
-                .filter_map(|s| s.function_of.as_ref());
-            processes.any(|t| t == name)
-        };
-        variable.is_none_or(time)
+        variable.is_none_or(|name| self.model.is_time(name))
     }
 
     fn name(&mut self, name: &Name, span: Span) -> Result<Value<D::Element>, Failure> {
@@ -477,6 +509,9 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             Resolved::Letter { symbol, order } => self.symbol(symbol, order, span),
             Resolved::Node { node, derivatives } => {
                 self.node((node, Vec::new(), derivatives), span)
+            }
+            Resolved::Primed { node, primes } => {
+                self.derivative_by_argument(node, primes, None, span)
             }
             Resolved::Indexed { key, indices } => {
                 let mut values = Vec::with_capacity(indices.len());

@@ -6,7 +6,8 @@ use crate::expr::{Expr, Name};
 use crate::matrix::Matrix;
 use crate::model::matrices::MatrixEntry;
 use crate::model::names::{Element, FamilyKey};
-use crate::model::{DefinitionKind, Letter, Node, NotationKind};
+use crate::model::time::Clock;
+use crate::model::{DefinitionKind, Node, NotationKind};
 use crate::span::Span;
 use crate::theory::{arithmetic, characteristic, determinant, hurwitz};
 use num_rational::BigRational;
@@ -37,9 +38,17 @@ impl<D: Domain> Evaluator<'_, D> {
         if self.model.argument_symbols(symbol).any(elsewhere) && !constant() {
             return Err(Failure::unsupported("a process at another argument", span));
         }
-        // A constant has the derivative zero; a process has a letter for each order in use.
-        if order > 0 && self.model.symbols[symbol].function_of.is_none() {
-            return Ok(Value::Scalar(self.field.integer(0)));
+        // A process has a letter for each order in use; of anything else the derivative is computed.
+        if self.model.symbols[symbol].function_of.is_none() {
+            if order > 0 {
+                return self.rate_of_symbol(symbol, order, span);
+            }
+            if let (Some(at), Clock::Runs(_)) = (&self.at, self.model.clock(symbol)) {
+                let at = self.field.rational(at);
+                return at
+                    .map(Value::Scalar)
+                    .ok_or_else(|| Failure::new(FailureKind::DivisionByZero, span));
+            }
         }
         self.model
             .letter_of_symbol(symbol, order)
@@ -109,17 +118,19 @@ impl<D: Domain> Evaluator<'_, D> {
         {
             return Ok(value.clone());
         }
+        if let Some(kind) = self.without_value.get(&key.0) {
+            return Err(Failure::new(kind.clone(), span));
+        }
         let in_place = self.replaced_behind(key.0);
         if let Node::Definition(d) = key.0
+            && key.2 == 0
             && self.keep_abbreviations
             && !in_place
             && let Some(letter) = self.model.definitions[d].letter
+            // At a number what depends on the time has another value than as such.
+            && (self.at.is_none() || self.clocks(key.0).is_empty())
         {
-            return Ok(Value::Scalar(if key.2 == 0 {
-                self.letters[letter].clone()
-            } else {
-                self.field.integer(0)
-            }));
+            return Ok(Value::Scalar(self.letters[letter].clone()));
         }
         let known = match self.replaced.last() {
             Some(replaced) if in_place => replaced.known.get(&key),
@@ -194,8 +205,7 @@ impl<D: Domain> Evaluator<'_, D> {
             return self.declared_matrix(*matrix, *derivatives, span);
         }
         if *derivatives > 0 {
-            let value = self.node((*node, indices.clone(), derivatives - 1), span)?;
-            return self.differentiate(value, 1, span);
+            return self.rate_of_node(key, span);
         }
         match node {
             Node::Symbol(symbol) => self.symbol(*symbol, 0, span),
@@ -387,76 +397,6 @@ impl<D: Domain> Evaluator<'_, D> {
         match result {
             Some(value) => Ok(value),
             None => self.outside(&key, indices, span),
-        }
-    }
-
-    /// The total time derivative: every process letter is differentiated, and where the document
-    /// determines a derivative (an equation of motion) its value is inserted.
-    pub(crate) fn differentiate(
-        &mut self,
-        value: Value<D::Element>,
-        order: u8,
-        span: Span,
-    ) -> Result<Value<D::Element>, Failure> {
-        let mut value = value;
-        for _ in 0..order {
-            let mut rates: std::collections::BTreeMap<usize, D::Element> =
-                std::collections::BTreeMap::new();
-            value = value.try_map(|entry| {
-                let partials = self.field.partial_derivatives(entry).ok_or_else(|| {
-                    Failure::unsupported("a time derivative over this field", span)
-                })?;
-                let mut sum = self.field.integer(0);
-                for (letter, partial) in partials {
-                    let rate = match rates.get(&letter) {
-                        Some(rate) => rate.clone(),
-                        None => {
-                            let rate = self.rate(letter, span)?;
-                            rates.insert(letter, rate.clone());
-                            rate
-                        }
-                    };
-                    sum = self.field.add(&sum, &self.field.multiply(&partial, &rate));
-                }
-                Ok::<_, Failure>(sum)
-            })?;
-        }
-        Ok(value)
-    }
-
-    fn rate(&mut self, letter: usize, span: Span) -> Result<D::Element, Failure> {
-        let model = self.model;
-        match model.letters[letter] {
-            Letter::Abbreviation { .. } => Ok(self.field.integer(0)),
-            Letter::Symbol { symbol, .. } if model.symbols[symbol].function_of.is_none() => {
-                // The letter that processes are functions of is the time itself.
-                let name = crate::latex::canonical(&model.symbols[symbol].name);
-                Ok(self
-                    .field
-                    .integer(i64::from(model.arguments.contains(&name))))
-            }
-            Letter::Function { .. } => self.rate_of_function(letter, span),
-            Letter::Symbol { symbol, order } => {
-                // The derivative of an entry is the entry of the derivative, for which an equation
-                // of motion may give a value.
-                if let Some((matrix, i, j)) = model.symbols[symbol].entry_of {
-                    let mut name = model.matrices[matrix].name.clone();
-                    name.dots += order + 1;
-                    return match self.name(&name, span)? {
-                        Value::Matrix(m) if i < m.rows() && j < m.columns() => {
-                            Ok(m[(i, j)].clone())
-                        }
-                        Value::Scalar(s) if (i, j) == (0, 0) => Ok(s),
-                        _ => Err(Failure::unsupported("a derivative of another shape", span)),
-                    };
-                }
-                let mut name = model.letter_name(letter);
-                name.dots += 1;
-                match self.name(&name, span)? {
-                    Value::Scalar(s) => Ok(s),
-                    _ => Err(Failure::unsupported("a derivative that is no scalar", span)),
-                }
-            }
         }
     }
 

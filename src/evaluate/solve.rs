@@ -11,10 +11,36 @@ use super::{Condition, Evaluator, Failure, FailureKind, Origin, Value, value};
 use crate::domain::Domain;
 use crate::expr::{Font, Name};
 use crate::matrix::Matrix;
+use crate::model::Node;
 use crate::model::links::visit;
 use crate::span::Span;
+use crate::theory::arithmetic;
 use crate::theory::error::TheoryError;
 use crate::theory::linear::{self, Solution};
+
+/// What the equation of a stationary state is about.
+#[derive(Clone, Debug)]
+pub enum Stationary<E> {
+    /// A X + X A^T + Q = 0, up to a factor of either sign: A, and the trace of Q.
+    Continuous {
+        /// A.
+        matrix: Matrix<E>,
+        /// The trace of Q.
+        noise: E,
+    },
+    /// X = F X F^T + Q.
+    Discrete {
+        /// F^2.
+        square: Matrix<E>,
+    },
+}
+
+/// How an equation for a matrix X depends on it.
+enum Form<E> {
+    Lyapunov([Matrix<E>; 2]),
+    Discrete(Matrix<E>),
+    Other,
+}
 
 type Shape = (usize, usize);
 /// A scalar degree of freedom: the entries (unknown, row, column) that are one where it is one.
@@ -32,8 +58,8 @@ impl<D: Domain> Evaluator<'_, D> {
         let model = self.model;
         let unknowns = &model.systems[system].unknowns;
         let shapes = self.unknown_shapes(system, unknowns, span)?;
-        let by_polynomial = match self.lyapunov_form(system, &shapes, span)? {
-            Some([a, q]) => {
+        let by_polynomial = match self.form(system, &shapes, span)? {
+            Form::Lyapunov([a, q]) => {
                 let solved = match self.field.lyapunov(&a, &q) {
                     Ok(found) => {
                         Some((vec![Value::from_matrix(found.solution)], found.determinant))
@@ -45,10 +71,19 @@ impl<D: Domain> Evaluator<'_, D> {
                     // Which of the two, none or many, elimination tells.
                     Err(_) => None,
                 };
-                self.lyapunov.insert(system, a);
+                let noise = (0..q.rows()).fold(self.field.integer(0), |sum, i| {
+                    self.field.add(&sum, &q[(i, i)])
+                });
+                let about = Stationary::Continuous { matrix: a, noise };
+                self.stationary.insert(system, about);
                 solved
             }
-            None => None,
+            Form::Discrete(square) => {
+                self.stationary
+                    .insert(system, Stationary::Discrete { square });
+                None
+            }
+            Form::Other => None,
         };
         let (values, determinant) = match by_polynomial {
             Some(solved) => solved,
@@ -74,20 +109,20 @@ impl<D: Domain> Evaluator<'_, D> {
         Ok(values)
     }
 
-    /// The matrices A and Q of an equation A X + X A^T + Q = 0 for a matrix X, in whatever way it is
-    /// printed: A is read off from the images of the diagonal units, and the images of all units must
+    /// Whether an equation is A X + X A^T + Q = 0 or X = F X F^T + Q for a matrix X, in whatever way it
+    /// is printed: A is read off from the images of the diagonal units, and the images of all units must
     /// be those of that map.
-    fn lyapunov_form(
+    fn form(
         &mut self,
         system: usize,
         shapes: &[Shape],
         span: Span,
-    ) -> Result<Option<[Matrix<D::Element>; 2]>, Failure> {
+    ) -> Result<Form<D::Element>, Failure> {
         let [(n, columns)] = *shapes else {
-            return Ok(None);
+            return Ok(Form::Other);
         };
         if n != columns || n < 2 {
-            return Ok(None);
+            return Ok(Form::Other);
         }
         let mut image = |unit: &[(usize, usize, usize)]| {
             self.set_trial(system, shapes, unit);
@@ -99,12 +134,12 @@ impl<D: Domain> Evaluator<'_, D> {
             })
         };
         let Some(q) = image(&[])? else {
-            return Ok(None);
+            return Ok(Form::Other);
         };
         let mut images = Vec::with_capacity(n * n);
         for k in 0..n * n {
             let Some(with) = image(&[(0, k / n, k % n)])? else {
-                return Ok(None);
+                return Ok(Form::Other);
             };
             images.push(with);
         }
@@ -113,7 +148,9 @@ impl<D: Domain> Evaluator<'_, D> {
             *image = Matrix::from_fn(n, n, |i, j| field.subtract(&image[(i, j)], &q[(i, j)]));
         }
         let half = field.divide(&field.integer(1), &field.integer(2));
-        let Some(half) = half else { return Ok(None) };
+        let Some(half) = half else {
+            return Ok(Form::Other);
+        };
         let a = Matrix::from_fn(n, n, |i, j| {
             let entry = &images[j * n + j][(i, j)];
             if i == j {
@@ -137,7 +174,60 @@ impl<D: Domain> Evaluator<'_, D> {
                 images[k][(i, j)] == expected
             })
         });
-        Ok(fits.then_some([a, q]))
+        if fits {
+            return Ok(Form::Lyapunov([a, q]));
+        }
+        // What else it is, only a covariance needs to know, and only where there are letters.
+        let node = Node::Unknown {
+            system,
+            position: 0,
+        };
+        let covariance = self.model.covariances().any(|(_, n, _)| n == node);
+        Ok(match self.discrete_form(&images, n) {
+            Some(square) if covariance => Form::Discrete(square),
+            _ => Form::Other,
+        })
+    }
+
+    /// F^2 of the map X -> X - F X F^T, or its opposite, whose images of the units these are. The
+    /// products of two entries of F are seen there, which gives F up to a root: with f = F_ab^2 and
+    /// G = F_ab F, F^2 = G^2/f.
+    fn discrete_form(&self, images: &[Matrix<D::Element>], n: usize) -> Option<Matrix<D::Element>> {
+        let field = &self.field;
+        [1, -1].into_iter().find_map(|sign| {
+            // F_ir F_js.
+            let product = |(i, r): (usize, usize), (j, s): (usize, usize)| {
+                let unit = field.integer(i64::from(r == i && s == j));
+                let image = &images[r * n + s][(i, j)];
+                match sign {
+                    1 => field.subtract(&unit, image),
+                    _ => field.add(&unit, image),
+                }
+            };
+            let places: Vec<(usize, usize)> = (0..n * n).map(|k| (k / n, k % n)).collect();
+            let first = places
+                .iter()
+                .find(|p| !field.is_zero(&product(**p, **p)))
+                .copied();
+            let Some(first) = first else {
+                let zero = Matrix::from_fn(n, n, |_, _| field.integer(0));
+                let none = places
+                    .iter()
+                    .all(|p| places.iter().all(|q| field.is_zero(&product(*p, *q))));
+                return none.then_some(zero);
+            };
+            let square = product(first, first);
+            let scaled = Matrix::from_fn(n, n, |j, s| product(first, (j, s)));
+            let fits = places.iter().all(|p| {
+                places.iter().all(|q| {
+                    field.multiply(&square, &product(*p, *q))
+                        == field.multiply(&scaled[*p], &scaled[*q])
+                })
+            });
+            let inverse = field.divide(&field.integer(1), &square)?;
+            let product = arithmetic::multiply(field, &scaled, &scaled)?;
+            fits.then(|| arithmetic::scale(field, &inverse, &product))
+        })
     }
 
     /// The scalar degrees of freedom: each a list of (unknown, row, column) that are one.

@@ -150,6 +150,8 @@ pub trait Functions<E> {
     fn bound(&self, depth: usize, positive: bool) -> Possible<E>;
     /// Whether a letter is the variable of an integral.
     fn is_bound(&self, letter: usize) -> bool;
+    /// An element with another one in place of a letter, in the arguments of functions too.
+    fn put(&self, element: &E, letter: usize, image: &E) -> Possible<E>;
     /// An integral over such a variable.
     fn integral(&self, integrand: &E, variable: &E, from: &End<E>, to: &End<E>) -> Possible<E>;
     /// The chain rule for a letter that stands for a function.
@@ -381,6 +383,14 @@ impl Functions<RationalFunction> for FunctionTable {
     }
     fn is_bound(&self, letter: usize) -> bool {
         matches!(self.meaning(letter), Some(FunctionLetter::Bound { .. }))
+    }
+    fn put(
+        &self,
+        element: &RationalFunction,
+        letter: usize,
+        image: &RationalFunction,
+    ) -> Possible<RationalFunction> {
+        self.substitute(element, &[(letter, image.clone())])
     }
     fn integral(
         &self,

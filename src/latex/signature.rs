@@ -76,7 +76,7 @@ impl Signature {
 
     /// Whether the name is a function.
     pub fn is_function(&self, name: &Name) -> bool {
-        self.functions.contains_key(&canonical(&name.undotted()))
+        self.variables(name).is_some()
     }
 
     /// Whether the name is declared as something else than a function.
@@ -115,7 +115,12 @@ impl Signature {
 
     /// The bases of the letters that the name is a function of, as far as they are declared.
     pub(super) fn variables(&self, name: &Name) -> Option<&BTreeSet<String>> {
-        self.functions.get(&canonical(&name.undotted()))
+        // A derivative, f', is a function of what f is one of.
+        let unprimed = (0..=name.letter.primes).filter_map(|n| name.undotted().unprimed(n));
+        let own = self.has_name(name);
+        unprimed
+            .take(if own { 1 } else { usize::MAX })
+            .find_map(|function| self.functions.get(&canonical(&function)))
     }
 
     /// Whether some function is declared as a function of the letter.

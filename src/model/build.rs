@@ -69,6 +69,8 @@ pub(super) struct Builder {
     covariances: Vec<(Name, Node, Span)>,
     /// The names that equations which cannot be read begin with.
     unread: BTreeSet<String>,
+    /// The letters that sizes depend on.
+    sizes: BTreeSet<String>,
     /// Where each name got its meaning, for the second place of a duplicate.
     places: BTreeMap<String, Span>,
 }
@@ -112,6 +114,9 @@ impl Builder {
     fn symbols(&mut self, document: &Document) {
         let mut largest = Instance::new();
         for (letter, values) in &document.instance_letters {
+            // A size has its meaning: no equation gives it another one.
+            self.places.insert(letter.text.clone(), letter.span);
+            self.sizes.insert(letter.text.clone());
             largest.insert(
                 letter.text.clone(),
                 values.iter().copied().max().unwrap_or(1),
@@ -508,13 +513,22 @@ impl Builder {
 
     /// The names that a claim's first member gives values, where nothing else does.
     fn claims(&mut self) {
+        // First what has no primes: f' has a meaning where f is a function.
+        for primed in [false, true] {
+            self.claimed(primed);
+        }
+    }
+
+    fn claimed(&mut self, primed: bool) {
         for e in 0..self.equations.len() {
             if self.equations[e].role != Role::Claim {
                 continue;
             }
             for l in 0..self.equations[e].links.len() {
                 let link = self.equations[e].links[l];
-                if matches!(link.left, Place::Member { member: 0, .. })
+                let head = link.left.find(&self.equations[e].display);
+                if head.is_some_and(has_primes) == primed
+                    && matches!(link.left, Place::Member { member: 0, .. })
                     && link.left != link.right
                     && link.relation == Relation::Equal
                 {
@@ -689,6 +703,10 @@ impl Builder {
             fewer.dots = dots;
             self.names.whole.contains_key(&latex::canonical(&fewer))
         });
+        let derivative = (1..=name.letter.primes).any(|primes| {
+            let function = name.undotted().unprimed(primes);
+            function.is_some_and(|f| self.is_function_of_one(&f))
+        });
         let key = names::family_key(name);
         let indexed = name.subscript.as_ref().is_some_and(|s| {
             !s.indices.is_empty()
@@ -715,7 +733,16 @@ impl Builder {
             }
             _ => false,
         };
-        whole || indexed || power
+        whole || derivative || indexed || power || self.sizes.contains(&latex::canonical(name))
+    }
+
+    /// Whether a name is a function of one argument, declared or defined.
+    fn is_function_of_one(&self, name: &Name) -> bool {
+        match self.names.whole.get(&latex::canonical(name)) {
+            Some(Node::Symbol(s)) => self.symbols[*s].arguments.len() == 1,
+            Some(Node::Definition(d)) => self.definitions[*d].arguments.len() == 1,
+            Some(Node::Matrix(_) | Node::Notation(_) | Node::Unknown { .. }) | None => false,
+        }
     }
 
     /// The running indices of a name with their ranges, if it has any.
@@ -764,7 +791,7 @@ impl Builder {
     fn finish(self, document: &Document, signature: Signature) -> Result<Model, Vec<Diagnostic>> {
         let mut report = self.report;
         let mut letters = letters(&self.symbols, &self.matrices, &self.equations);
-        let reserve = reserve(&self.equations, &self.notation);
+        let reserve = reserve(&self.equations, &self.notation, &self.definitions);
         letters.extend((0..reserve).map(|slot| Letter::Function { slot }));
         // Refused before anything grows with it: every definition may turn out an abbreviation.
         let count = letters.len() + self.definitions.len();
@@ -784,6 +811,7 @@ impl Builder {
             (0..letters.len()).map(|k| format!("letter_{k}")),
             Order::Grevlex,
         );
+        let times = super::time::times(&self.symbols, &self.names);
         let mut model = Model {
             document: document.clone(),
             symbols: self.symbols,
@@ -802,6 +830,7 @@ impl Builder {
             },
             functions: None,
             arguments: self.arguments,
+            times,
             names: self.names,
             signature,
         };
@@ -819,6 +848,12 @@ impl Builder {
         report.dedup();
         Err(report)
     }
+}
+
+/// Whether an expression is a name with primes, alone or applied.
+fn has_primes(expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) | ExprKind::Apply { function: name, .. }
+        if name.letter.primes > 0)
 }
 
 /// The covariance of two vectors, with their product spelt out.

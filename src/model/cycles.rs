@@ -124,10 +124,21 @@ impl Model {
         match &expr.kind {
             ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
                 let known = |n: &str| bound.iter().any(|b| b == n);
-                if let Err(kind) = self.resolve(name, &known) {
-                    report.push(Diagnostic::new(kind, expr.span));
+                let resolved = self.resolve(name, &known);
+                let (indexed, rate) = match resolved {
+                    Err(kind) => {
+                        report.push(Diagnostic::new(kind, expr.span));
+                        (false, false)
+                    }
+                    Ok(Resolved::Bound(_)) => (false, false),
+                    Ok(Resolved::Letter { order, .. }) => (false, name.dots > 0 && order > 0),
+                    Ok(Resolved::Node { derivatives, .. }) => (false, derivatives > 0),
+                    Ok(Resolved::Primed { .. }) => (false, name.dots > 0),
+                    Ok(Resolved::Indexed { .. }) => (true, false),
+                };
+                if rate && self.times.is_empty() {
+                    report.push(no_time(expr));
                 }
-                let indexed = matches!(self.resolve(name, &known), Ok(Resolved::Indexed { .. }));
                 if let (true, Some(subscript)) = (indexed, &name.subscript) {
                     for index in &subscript.indices {
                         if literal_integer(index).is_none() {
@@ -135,6 +146,16 @@ impl Model {
                         }
                     }
                 }
+            }
+            ExprKind::Derivative {
+                variable: None,
+                body,
+                ..
+            } => {
+                if self.times.is_empty() {
+                    report.push(no_time(expr));
+                }
+                self.check_expression(body, bound, report);
             }
             // The power of a name may be defined where the name itself is not.
             ExprKind::Power { base, .. }
@@ -360,7 +381,7 @@ impl Model {
         // What is bound here is not known: an index may be any letter that means nothing else.
         let index = |n: &str| !self.names.whole.contains_key(n) && *n != latex::canonical(name);
         match self.resolve(name, &index) {
-            Ok(Resolved::Node { node, .. }) => {
+            Ok(Resolved::Node { node, .. } | Resolved::Primed { node, .. }) => {
                 found.insert(normal(node));
             }
             Ok(Resolved::Indexed { key, indices }) => {
@@ -410,6 +431,12 @@ impl Model {
             Node::Matrix(m) => self.document.symbols[self.matrices[m].declared].name.span,
         }
     }
+}
+
+/// A dot in a document without a time.
+fn no_time(expr: &Expr) -> Diagnostic {
+    let name = latex::write_expr(expr);
+    Diagnostic::new(DiagnosticKind::NoTime { name }, expr.span)
 }
 
 fn normal(node: Node) -> Node {

@@ -3,7 +3,9 @@
 use super::links;
 use super::links::each_expression;
 use super::matrices::MatrixSymbol;
-use super::{DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind, Role, Symbol};
+use super::{
+    Definition, DefinitionKind, Equation, Letter, Model, Node, Notation, NotationKind, Role, Symbol,
+};
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::functions::FunctionTable;
 use crate::latex;
@@ -34,7 +36,13 @@ pub(super) fn letters(
     for equation in equations {
         each_expression(&equation.display, &mut |e| {
             if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
-                dots = dots.max(name.dots);
+                // A prime over a process is its derivative too.
+                let process = |primes: &u8| {
+                    let function = name.undotted().unprimed(*primes);
+                    symbols.iter().any(|s| function.as_ref() == Some(&s.name))
+                };
+                let primes = (1..=name.letter.primes).find(process).unwrap_or(0);
+                dots = dots.max(name.dots.saturating_add(primes));
                 let printed = own.entry(latex::canonical(&name.undotted())).or_default();
                 *printed = name.dots.max(*printed);
             }
@@ -59,7 +67,11 @@ pub(super) fn letters(
 }
 
 /// How many letters to keep for functions: none for a document that uses none.
-pub(super) fn reserve(equations: &[Equation], notation: &[Notation]) -> usize {
+pub(super) fn reserve(
+    equations: &[Equation],
+    notation: &[Notation],
+    definitions: &[Definition],
+) -> usize {
     let constants = notation
         .iter()
         .filter(|n| matches!(n.kind, NotationKind::Constant(_) | NotationKind::Dirac))
@@ -75,6 +87,15 @@ pub(super) fn reserve(equations: &[Equation], notation: &[Notation]) -> usize {
                     super::names::literal_integer(exponent).is_none() && !is_transposition(exponent)
                 }
                 ExprKind::Integral { .. } | ExprKind::Cases(_) => true,
+                // A derivative by an argument is taken over a letter of its own.
+                ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
+                    let defined = |primes| {
+                        let function = name.undotted().unprimed(primes);
+                        let mut functions = definitions.iter().filter(|d| !d.arguments.is_empty());
+                        functions.any(|d| function.as_ref() == Some(&d.name))
+                    };
+                    (1..=name.letter.primes).any(defined)
+                }
                 _ => false,
             });
         });

@@ -12,6 +12,7 @@ pub mod matrices;
 pub mod names;
 pub mod range;
 pub mod statement;
+pub mod time;
 
 use crate::document::{Document, Instance, Settings, Size, VerdictWord};
 use crate::domain::Symbolic;
@@ -306,6 +307,8 @@ pub struct Model {
     pub functions: Option<FunctionTable>,
     /// The letters that some process is a function of.
     pub arguments: BTreeSet<String>,
+    /// The letters that dots differentiate by: see [`time`].
+    pub times: BTreeSet<String>,
     pub(crate) names: Names,
     /// How its equations are read.
     pub(crate) signature: Signature,
@@ -432,7 +435,11 @@ impl Model {
             Some(Node::Symbol(s)) => among(&self.symbols[*s].arguments),
             Some(Node::Matrix(m)) => among(&self.matrices[*m].arguments),
             // A name that an equation defines is a function of whatever its letters are.
-            _ => self.arguments.contains(argument) || self.is_vector(argument),
+            _ => {
+                self.arguments.contains(argument)
+                    || self.times.contains(argument)
+                    || self.is_vector(argument)
+            }
         }
     }
 }

@@ -50,6 +50,13 @@ pub enum Resolved<'a> {
         /// How often it is differentiated beyond its own dots.
         derivatives: u8,
     },
+    /// The derivative of a function of one argument by its argument.
+    Primed {
+        /// The function.
+        node: Node,
+        /// How often it is differentiated.
+        primes: u8,
+    },
     /// A member of a family or an entry of a matrix.
     Indexed {
         /// Whose.
@@ -184,6 +191,9 @@ impl Model {
                 return Ok(found(node, derivatives));
             }
         }
+        if let Some(derivative) = self.primed(name) {
+            return Ok(derivative);
+        }
         let key = family_key(name);
         if let Some(subscript) = &name.subscript
             && !subscript.indices.is_empty()
@@ -198,6 +208,29 @@ impl Model {
             }
         }
         Err(DiagnosticKind::UndeclaredName { name: whole })
+    }
+
+    /// What a name with primes is the derivative of, where it has no meaning of its own.
+    fn primed<'a>(&self, name: &Name) -> Option<Resolved<'a>> {
+        (1..=name.letter.primes).find_map(|primes| {
+            let function = name.undotted().unprimed(primes)?;
+            match self.names.whole.get(&latex::canonical(&function))? {
+                Node::Symbol(symbol) => {
+                    (self.symbols[*symbol].arguments.len() == 1).then(|| Resolved::Letter {
+                        symbol: *symbol,
+                        order: primes.saturating_add(name.dots),
+                    })
+                }
+                node @ Node::Definition(d) => {
+                    let function = self.definitions[*d].arguments.len() == 1;
+                    (function && name.dots == 0).then_some(Resolved::Primed {
+                        node: *node,
+                        primes,
+                    })
+                }
+                Node::Matrix(_) | Node::Notation(_) | Node::Unknown { .. } => None,
+            }
+        })
     }
 
     /// What a letter with these indices can stand for: a member of a family, or an entry of a

@@ -199,7 +199,9 @@ impl Resolver for Point<'_> {
                 node,
                 derivatives: 0,
             }) => Reference::Node(node),
-            Ok(Resolved::Letter { .. } | Resolved::Node { .. }) => Reference::WithoutValue,
+            Ok(Resolved::Letter { .. } | Resolved::Node { .. } | Resolved::Primed { .. }) => {
+                Reference::WithoutValue
+            }
             Ok(Resolved::Indexed { key, indices }) => Reference::Indexed {
                 family: key,
                 indices,

@@ -36,7 +36,12 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
             .words(" as assumed");
     }
     let instances = instances(audit, outcome);
-    if instances.is_empty() {
+    // What holds for any size says no sizes.
+    let holds = matches!(
+        outcome.verdict,
+        Verdict::Holds { .. } | Verdict::HoldsGiven(..)
+    );
+    if instances.is_empty() || holds && outcome.sizes.is_none() {
         line
     } else {
         line.words(format!(", for {instances}"))
@@ -543,6 +548,9 @@ fn excluded(proof: &CounterProof) -> Prose {
         )
         .math(format!("H_{order}"))
         .words(format!(" is {determinant}")),
+        CounterProof::NoCovariance { minor } => Prose::of(format!(
+            "no stationary covariance: it has the negative principal minor {minor}"
+        )),
     }
 }
 

@@ -4,6 +4,7 @@
 use crate::audit::Audit;
 use crate::check::effect::effect;
 use crate::document::Settings;
+use crate::evaluate::Origin;
 use crate::report::algebraic::equals;
 use crate::report::formula::{Formulas, Script};
 use crate::report::plain::plain;
@@ -340,8 +341,24 @@ fn multiplied_out(outcome: &Outcome) -> Prose {
 
 /// What must not vanish, by the reason why it does not.
 pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Prose> {
+    let stable = |c: &&NonVanishing| matches!(c.origin, Origin::Stability(_));
+    let stationary: Vec<Prose> = conditions
+        .iter()
+        .filter(stable)
+        .map(|c| {
+            Prose::new().formula(
+                formulas.polynomial(&c.factor, Script::Latex),
+                formulas.polynomial(&c.factor, Script::Plain),
+            )
+        })
+        .collect();
+    let stationary = (!stationary.is_empty()).then(|| {
+        Prose::of("Stationary only where these are positive: ")
+            .then(Prose::joined(stationary, ", "))
+            .words(".")
+    });
     let mut groups: Vec<(&Option<Because>, Vec<&NonVanishing>)> = Vec::new();
-    for condition in conditions {
+    for condition in conditions.iter().filter(|c| !stable(c)) {
         match groups
             .iter_mut()
             .find(|(because, _)| **because == condition.because)
@@ -351,7 +368,7 @@ pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Pr
         }
     }
     if groups.is_empty() {
-        return None;
+        return stationary;
     }
     let each = groups.into_iter().map(|(because, group)| {
         let factors = group.iter().map(|c| {
@@ -371,9 +388,11 @@ pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Pr
             None => " (which nothing declared here ensures)".to_string(),
         })
     });
-    Some(
-        Prose::of("Divided by, and so not zero: ")
-            .then(Prose::joined(each, "; "))
-            .words("."),
-    )
+    let divisors = Prose::of("Divided by, and so not zero: ")
+        .then(Prose::joined(each, "; "))
+        .words(".");
+    Some(match stationary {
+        Some(stationary) => divisors.words(" ").then(stationary),
+        None => divisors,
+    })
 }

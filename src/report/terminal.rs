@@ -89,6 +89,11 @@ pub fn coverage(audit: &Audit) -> String {
     let links = audit.outcomes.len();
     let statements = statements(audit);
     let figures = figure_coverage(audit);
+    let of_sizes = audit.outcomes.iter().filter(|o| o.sizes.is_some()).count();
+    let statements = match of_sizes {
+        0 => statements,
+        n => format!(", {n} of them for the named sizes only{statements}"),
+    };
     if coverage.announced.is_empty() {
         return format!(
             "{links} links checked{statements}; the document announces no equation numbers{figures}"

@@ -84,6 +84,11 @@ pub enum CounterProof {
         /// That determinant, at the reference values where there are such.
         determinant: String,
     },
+    /// What is called a covariance has a principal minor that is negative.
+    NoCovariance {
+        /// That minor, at the reference values where there are such.
+        minor: String,
+    },
 }
 
 impl Refutation {

@@ -166,7 +166,14 @@ impl Checker<'_> {
         ground: &Ground,
     ) -> Result<RationalFunction, Failure> {
         let span = expr.span;
-        let value = match self.exact.expression(expr)? {
+        let before = std::mem::take(&mut self.exact.conditions);
+        let value = self.exact.expression(expr);
+        let vanishing = self.vanishing_divisor();
+        self.exact.conditions = before;
+        if let Some(failure) = vanishing {
+            return Err(failure);
+        }
+        let value = match value? {
             Value::Scalar(value) => value,
             Value::Zero => RationalFunction::zero(ground.ring),
             Value::Matrix(_) => {
