@@ -15,3 +15,5 @@ mod signs;
 mod statements;
 #[path = "soundness/corrections.rs"]
 mod corrections;
+#[path = "soundness/mod.rs"]
+mod generated;
