@@ -129,7 +129,7 @@ struct MutateArguments {
     /// `all` or `none`.
     #[arg(long, default_value = "200", value_name = "N|all|none", value_parser = amount)]
     repair: Amount,
-    /// At most so many mutants of each document, drawn at random.
+    /// At most so many mutants and so many rewritings of each document, drawn at random.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 }
@@ -354,7 +354,9 @@ fn mutate(arguments: &MutateArguments, watch: &Terminal) -> io::Result<u8> {
     }
     out.flush()?;
     let (total, _) = mutation::tally::tally(&mutations);
-    Ok(match (rejected, total.survived + total.false_alarms) {
+    let (rewritings, _) = mutation::tally::kepts(&mutations);
+    let faults = total.survived + total.false_alarms + rewritings.rejected;
+    Ok(match (rejected, faults) {
         (0, 0) => 0,
         (0, _) => 1,
         _ => 3,

@@ -8,10 +8,10 @@ use rederive::document::{Document, VerdictWord};
 use rederive::expr::{Display, Expr, ExprKind, Sign};
 use rederive::input;
 use rederive::model::links::{Place, children_mut};
-use rederive::mutation::tally::{Tally, tally};
+use rederive::mutation::tally::{Tally, kepts, tally};
 use rederive::mutation::{
-    Case, Decide, Equivalence, Fate, Finding, Mutation, Options, TheChecker, Tried, mutate,
-    mutate_by,
+    Case, Class, Decide, Equivalence, Fate, Finding, Kept, Mutation, Options, Rewriting,
+    TheChecker, Tried, mutate, mutate_by,
 };
 use rederive::progress::{Unwatched, Watch};
 use rederive::report::mutation::{json, plain};
@@ -86,7 +86,20 @@ fn faults(mutation: &Mutation) -> Vec<String> {
         );
         alarm || tried.fate == Fate::Survived
     });
-    faults.map(told).collect()
+    let rejected = mutation
+        .rewritten
+        .iter()
+        .filter_map(|said| match &said.kept {
+            Kept::Rejected(why) => {
+                let (label, member, kind) = (&said.label, said.member, said.rewriting.as_str());
+                Some(format!(
+                    "({label}.{member}) {kind}: {}: {why}",
+                    said.rewritten
+                ))
+            }
+            Kept::Accepted | Kept::Undecided(_) => None,
+        });
+    faults.map(told).chain(rejected).collect()
 }
 
 #[test]
@@ -328,6 +341,110 @@ fn blind_checkers_are_caught() {
     }
 }
 
+/// Chains, sums of several kinds, inequalities: every rewriting occurs, and nothing true is rejected.
+const REWRITTEN: &str = r#"
+```toml symbols
+a = { unit = "m", positive = true, value = "2", meaning = "" }
+b = { unit = "m", positive = true, value = "3", meaning = "" }
+x = { unit = "m", meaning = "" }
+```
+```math 1 define
+s = a(b + x)
+```
+```math 2 claim
+s = ab + ax = ab + xa
+```
+```math 3 claim
+(a + x)^2 - 2ax = a^2 + x^2
+```
+```math 4 claim
+a^2 + (x - b)^2 > 0
+```
+```math 5 claim
+\frac{a + b}{ab} = \frac{1}{a} + \frac{1}{b}
+```
+```math 6 claim
+\cos^2(x/a) + \sin^2(x/a) = 1
+```
+```math 7 claim
+\begin{bmatrix} a & x \\ 0 & b \end{bmatrix} \begin{bmatrix} b \\ x \end{bmatrix} =
+\begin{bmatrix} ab + x^2 \\ bx \end{bmatrix}
+```
+"#;
+
+#[test]
+fn what_says_the_same_keeps_its_verdict() {
+    for text in [REWRITTEN, LENS] {
+        let mutation = mutation(text);
+        assert_eq!(faults(&mutation), Vec::<String>::new());
+        assert_eq!(mutation.rewritten.len(), mutation.possible_rewritings);
+        let undecided = mutation
+            .rewritten
+            .iter()
+            .filter(|said| said.kept != Kept::Accepted);
+        assert_eq!(undecided.count(), 0);
+    }
+    let mutation = mutation(REWRITTEN);
+    let (_, by_kind) = kepts([&mutation]);
+    for kind in Rewriting::ALL {
+        assert!(by_kind.contains_key(&kind), "{}", kind.as_str());
+    }
+}
+
+/// A checker that takes everything for false that is not printed as before.
+struct Literal;
+
+impl Decide for Literal {
+    fn decide(&self, case: &Case<'_>, checker: &mut dyn FnMut() -> Finding) -> Finding {
+        if case.original == case.changed {
+            checker()
+        } else {
+            Finding::Refuted
+        }
+    }
+}
+
+/// One that cannot see through a definition.
+struct NoDefinitions;
+
+impl Decide for NoDefinitions {
+    fn decide(&self, case: &Case<'_>, checker: &mut dyn FnMut() -> Finding) -> Finding {
+        match case.class {
+            Class::Rewriting(Rewriting::InsertDefinition | Rewriting::ScaleUnit) => {
+                Finding::Refuted
+            }
+            Class::Rewriting(_) | Class::Edit(_) => checker(),
+        }
+    }
+}
+
+#[test]
+fn checkers_that_reject_what_says_the_same_are_caught() {
+    let judged = |decide: &dyn Decide| {
+        mutate_by(&document(REWRITTEN), &options(), decide, &Unwatched)
+            .unwrap_or_else(|rejection| panic!("{rejection}"))
+    };
+    let rejecting = judged(&Always(Finding::Refuted));
+    let (all, _) = kepts([&rejecting]);
+    assert!(
+        all.rejected > 50 && all.rejected == all.rewritings,
+        "{all:?}"
+    );
+    // It refutes every mutant, which alone would look well.
+    let literal = judged(&Literal);
+    assert_eq!(total(&literal).survived, 0);
+    assert_eq!(kepts([&literal]).0.rejected, all.rewritings);
+    let shrugging = judged(&Always(Finding::Undecided("who knows".into())));
+    let (undecided, _) = kepts([&shrugging]);
+    assert_eq!((undecided.accepted, undecided.rejected), (0, 0));
+    let blind = judged(&NoDefinitions);
+    let (_, by_kind) = kepts([&blind]);
+    for (kind, kepts) in by_kind {
+        let caught = matches!(kind, Rewriting::InsertDefinition | Rewriting::ScaleUnit);
+        assert_eq!(kepts.rejected > 0, caught, "{kind:?}");
+    }
+}
+
 #[test]
 fn the_same_figures_from_any_number_of_threads() {
     let document = read("proofs/schiehlen-2006/variance-integral.md");
@@ -475,6 +592,9 @@ fn the_figures_for_programs() {
     );
     assert_eq!(figures["repairs_tried"], 5);
     assert_eq!(figures["survivors"], serde_json::json!([]));
+    let rewritings = &figures["rewritings"];
+    assert_eq!(rewritings["wrongly_rejected"], serde_json::json!([]));
+    assert_eq!(rewritings["total"]["rewritings"], 60);
     let classes = figures["by_class"].as_object().expect("an object").values();
     let sum: u64 = classes.filter_map(|c| c["mutants"].as_u64()).sum();
     assert_eq!(sum, 60);

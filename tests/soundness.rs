@@ -5,24 +5,25 @@
 mod common;
 #[path = "soundness/corrections.rs"]
 mod corrections;
+#[path = "soundness/dots.rs"]
+mod dots;
 #[path = "soundness/enclosures.rs"]
 mod enclosures;
+#[path = "soundness/expectations.rs"]
+mod expectations;
 #[path = "soundness/functions.rs"]
 mod functions;
+#[path = "soundness/mod.rs"]
+mod generated;
 #[path = "soundness/limits.rs"]
 mod limits;
 #[path = "soundness/readings.rs"]
 mod readings;
 #[path = "soundness/signs.rs"]
 mod signs;
-#[path = "soundness/statements.rs"]
-mod statements;
-
-#[path = "soundness/dots.rs"]
-mod dots;
-#[path = "soundness/expectations.rs"]
-mod expectations;
 #[path = "soundness/sizes.rs"]
 mod sizes;
+#[path = "soundness/statements.rs"]
+mod statements;
 #[path = "soundness/zero.rs"]
 mod zero;

@@ -2,7 +2,7 @@
 
 use super::dependence::{Dependences, Dependents, LinkAt, values_of};
 use super::mutants::Mutant;
-use super::{Case, Decide, Equivalence, Fate};
+use super::{Case, Class, Decide, Equivalence, Fate};
 use crate::check::trial::{Finding, Nonsense};
 use crate::check::{Checker, Options};
 use crate::diagnostic::Rejection;
@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 
 /// Why a definition may be undecided.
 pub(super) const UNTOLD: &str = "no claim tells it apart";
+
+/// Why a rewriting may be undecided.
+pub(super) const LOST: &str = "nothing is left to check";
 
 /// At how many points an inequality that is true after an edit too is evaluated.
 const POINTS: u32 = 32;
@@ -35,7 +38,7 @@ pub(super) struct Plan<'p> {
 
 /// The checkers of a document, warm: what the undamaged document needs is computed.
 pub(super) struct Bench<'m, 'p> {
-    plan: &'p Plan<'p>,
+    pub plan: &'p Plan<'p>,
     pub model: &'m Model,
     pub checkers: Vec<Checker<'m>>,
     /// How many letters for functions the undamaged document uses.
@@ -49,11 +52,11 @@ type Values = Vec<Value<RationalFunction>>;
 
 /// What a mutant changes.
 #[derive(Clone, PartialEq)]
-struct Changed {
+pub(super) struct Changed {
     /// Claims with a changed side.
-    claims: Vec<LinkAt>,
+    pub claims: Vec<LinkAt>,
     /// Nodes with a changed value, each with a link that gives it.
-    nodes: Vec<(Node, usize)>,
+    pub nodes: Vec<(Node, usize)>,
 }
 
 /// The checkers of all instances of a model.
@@ -93,7 +96,7 @@ impl<'m, 'p> Bench<'m, 'p> {
         if mutant.structural {
             return self.fate_read_anew(mutant);
         }
-        let changed = self.changed(mutant);
+        let changed = self.changed(mutant.at.0, &mutant.display);
         let nodes: BTreeSet<Node> = changed.nodes.iter().map(|(node, _)| *node).collect();
         // What a document is refused for, before anything is computed.
         let names = self.model.check_names_of(mutant.at.0, &mutant.display);
@@ -132,11 +135,11 @@ impl<'m, 'p> Bench<'m, 'p> {
         self.plan.dependences.dependents(&nodes.collect()).stale
     }
 
-    fn changed(&self, mutant: &Mutant) -> Changed {
-        let (e, _) = mutant.at;
+    /// What another display changes.
+    pub fn changed(&self, e: usize, display: &Display) -> Changed {
         let equation = &self.model.equations[e];
         let differs = |place: crate::model::links::Place| {
-            place.find(&equation.display) != place.find(&mutant.display)
+            place.find(&equation.display) != place.find(display)
         };
         let claims = (0..equation.links.len())
             .filter(|l| self.plan.claims.contains(&(e, *l)))
@@ -180,7 +183,7 @@ impl<'m, 'p> Bench<'m, 'p> {
                 why: nonsense,
                 by: None,
             },
-            None => self.judged(instance, mutant, changed, dependents),
+            None => self.judged(instance, e, &case_of(mutant, model), changed, dependents),
         };
         // A second opinion, from the values alone: what has passed must be the same, and what is
         // refuted must not be.
@@ -262,14 +265,14 @@ impl<'m, 'p> Bench<'m, 'p> {
 
     /// The verdicts on what a mutant changes and on what depends on it; [`Fate::Survived`] where all
     /// of them are passes.
-    fn judged(
+    pub fn judged(
         &mut self,
         instance: usize,
-        mutant: &Mutant,
+        e: usize,
+        case: &Case<'_>,
         changed: &Changed,
         dependents: &Dependents,
     ) -> Fate {
-        let (e, _) = mutant.at;
         let mut undecided = None;
         let definitions = changed.nodes.iter().map(|(_, link)| (e, *link));
         let others = dependents.claims.iter().copied();
@@ -278,7 +281,7 @@ impl<'m, 'p> Bench<'m, 'p> {
         let claims = changed.claims.iter().copied();
         let judged: Vec<LinkAt> = claims.chain(others).chain(definitions).collect();
         for at in judged {
-            match self.decided(instance, mutant, at) {
+            match self.decided(instance, case, at) {
                 Finding::Accepted => {}
                 Finding::Refuted => {
                     return Fate::Refuted {
@@ -292,8 +295,12 @@ impl<'m, 'p> Bench<'m, 'p> {
                         by: Some(self.name(at)),
                     };
                 }
-                // A claim that has turned into something else has got past the checker.
-                Finding::NothingToCheck => return Fate::Survived,
+                // A claim that has turned into something else has got past the checker; one that was
+                // only rewritten is lost.
+                Finding::NothingToCheck => match case.class {
+                    Class::Edit(_) => return Fate::Survived,
+                    Class::Rewriting(_) => return Fate::Undecided(LOST.into()),
+                },
                 Finding::Undecided(reason) => {
                     undecided.get_or_insert(reason);
                 }
@@ -302,15 +309,10 @@ impl<'m, 'p> Bench<'m, 'p> {
         undecided.map_or(Fate::Survived, Fate::Undecided)
     }
 
-    fn decided(&mut self, instance: usize, mutant: &Mutant, at: LinkAt) -> Finding {
-        let case = Case {
-            class: mutant.class,
-            original: &self.model.equations[mutant.at.0].display,
-            changed: &mutant.display,
-        };
+    fn decided(&mut self, instance: usize, case: &Case<'_>, at: LinkAt) -> Finding {
         let checker = &mut self.checkers[instance];
         let decide = self.plan.decide;
-        decide.decide(&case, &mut || checker.finding(at.0, at.1))
+        decide.decide(case, &mut || checker.finding(at.0, at.1))
     }
 
     fn name(&self, (e, l): LinkAt) -> (String, usize) {
@@ -396,11 +398,7 @@ impl<'m, 'p> Bench<'m, 'p> {
                 return refused(first.unwrap_or(Nonsense::Unreadable));
             }
         };
-        let case = Case {
-            class: mutant.class,
-            original: &self.model.equations[e].display,
-            changed: &mutant.display,
-        };
+        let case = case_of(mutant, self.model);
         let links = (0..model.equations.len()).flat_map(|q| {
             let links = 0..model.equations[q].links.len();
             links.map(move |l| (q, l))
@@ -441,6 +439,15 @@ impl<'m, 'p> Bench<'m, 'p> {
             }
         }
         Fate::Undecided(undecided.unwrap_or_else(|| UNTOLD.into()))
+    }
+}
+
+/// What is asked about a mutant.
+fn case_of<'c>(mutant: &'c Mutant, model: &'c Model) -> Case<'c> {
+    Case {
+        class: Class::Edit(mutant.class),
+        original: &model.equations[mutant.at.0].display,
+        changed: &mutant.display,
     }
 }
 

@@ -7,12 +7,18 @@
 //! is decided apart from the verdict. What the checker lets pass and is not equivalent has
 //! *survived*, a fault of ours. A changed definition that no claim tells from the printed one is
 //! *undecided*, never a pass.
+//!
+//! The other half: true claims are *rewritten* so that they say the same, and each must keep its verdict.
+//! What is rejected then is a fault of ours as well.
 
 mod base;
 mod bench;
 mod dependence;
+mod fresh;
+mod kept;
 mod mutants;
 mod repairs;
+mod rewritings;
 mod sample;
 pub mod tally;
 
@@ -30,8 +36,10 @@ use crate::verdict::EditClass;
 use base::Standing;
 use bench::{Bench, Plan};
 use dependence::{Dependences, LinkAt};
+pub use kept::{Kept, Said};
 use mutants::Mutant;
 pub use repairs::Repair;
+pub use rewritings::Rewriting;
 use sample::sample;
 
 /// How much is tried.
@@ -59,11 +67,20 @@ impl Default for Options {
     }
 }
 
+/// How an equation was changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// By an edit that damages it.
+    Edit(EditClass),
+    /// By a rewriting that says the same.
+    Rewriting(Rewriting),
+}
+
 /// A changed equation that is to be judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Case<'c> {
-    /// The class of the edit.
-    pub class: EditClass,
+    /// How it was changed.
+    pub class: Class,
     /// The equation before the edit.
     pub original: &'c Display,
     /// The equation with the edit.
@@ -180,6 +197,10 @@ pub struct Mutation {
     pub possible: usize,
     /// Those that were tried, in the order of the document.
     pub tried: Vec<Tried>,
+    /// How many rewritings there are in all.
+    pub possible_rewritings: usize,
+    /// Those that were tried, in the order of the document.
+    pub rewritten: Vec<Said>,
     /// Links that are not true, or not known to be, and were left as they are.
     pub left_out: Vec<LeftOut>,
 }
@@ -243,11 +264,16 @@ fn run(
             _ => None,
         })
         .collect();
-    let mutants = mutants::mutants(&model, &with(&[Standing::True, Standing::Defines]));
-    let possible = mutants.len();
-    let mutants = match options.limit {
-        Some(limit) => sample(mutants, limit, options.seed),
-        None => mutants,
+    let sound = with(&[Standing::True, Standing::Defines]);
+    let rewritings = rewritings::rewritings(&model, &sound);
+    let mutants = mutants::mutants(&model, &sound);
+    let (possible, possible_rewritings) = (mutants.len(), rewritings.len());
+    let (mutants, rewritings) = match options.limit {
+        Some(limit) => (
+            sample(mutants, limit, options.seed),
+            sample(rewritings, limit, options.seed),
+        ),
+        None => (mutants, rewritings),
     };
     let dependences = Dependences::of(&model, &claims);
     let plan = Plan {
@@ -278,12 +304,27 @@ fn run(
     for (k, repair) in chosen.into_iter().zip(found) {
         tried[k].repair = repair;
     }
+    watch.begin("rewriting", rewritings.len());
+    let kept = in_parallel(
+        &plan,
+        options.threads,
+        rewritings.len(),
+        watch,
+        |bench, k| bench.keeps(&rewritings[k]),
+    );
+    watch.end();
+    let finished = rewritings.iter().zip(kept);
+    let rewritten =
+        finished.filter_map(|(rewritten, kept)| Some(kept::said(&model, rewritten, kept?)));
+    let rewritten = rewritten.collect();
     Ok(Mutation {
         document: printed.name.clone(),
         title: printed.title.clone(),
         seed: options.seed,
         possible,
         tried,
+        possible_rewritings,
+        rewritten,
         left_out,
     })
 }

@@ -1,6 +1,6 @@
 //! The figures, by class and in all.
 
-use super::{Fate, Mutation, Tried};
+use super::{Fate, Kept, Mutation, Rewriting, Said, Tried};
 use crate::verdict::EditClass;
 use std::collections::BTreeMap;
 use std::ops::AddAssign;
@@ -80,4 +80,41 @@ pub fn tally<'t>(
         by_class.entry(tried.class).or_default().count(tried);
     }
     (total, by_class)
+}
+
+/// How many rewritings were kept or not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kepts {
+    /// Rewritings that were judged: the sum of the accepted, undecided and rejected.
+    pub rewritings: usize,
+    /// Accepted as before.
+    pub accepted: usize,
+    /// Not decided any more.
+    pub undecided: usize,
+    /// Wrongly rejected: faults of ours.
+    pub rejected: usize,
+}
+
+impl Kepts {
+    fn count(&mut self, said: &Said) {
+        self.rewritings += 1;
+        match said.kept {
+            Kept::Accepted => self.accepted += 1,
+            Kept::Undecided(_) => self.undecided += 1,
+            Kept::Rejected(_) => self.rejected += 1,
+        }
+    }
+}
+
+/// The figures of the rewritings of some documents: in all, and for each kind that occurs.
+pub fn kepts<'t>(
+    mutations: impl IntoIterator<Item = &'t Mutation>,
+) -> (Kepts, BTreeMap<Rewriting, Kepts>) {
+    let mut total = Kepts::default();
+    let mut by_kind: BTreeMap<Rewriting, Kepts> = BTreeMap::new();
+    for said in mutations.into_iter().flat_map(|m| &m.rewritten) {
+        total.count(said);
+        by_kind.entry(said.rewriting).or_default().count(said);
+    }
+    (total, by_kind)
 }

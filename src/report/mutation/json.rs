@@ -1,7 +1,7 @@
 //! The figures for programs: `rederive mutate --json`, described by `schemas/mutation.schema.json`.
 
-use crate::mutation::tally::{Tally, tally};
-use crate::mutation::{Fate, Mutation, Tried};
+use crate::mutation::tally::{Kepts, Tally, kepts, tally};
+use crate::mutation::{Fate, Kept, Mutation, Said, Tried};
 use crate::report::json::Software;
 use crate::report::ordered::Ordered;
 use serde::Serialize;
@@ -23,6 +23,40 @@ pub struct Figures {
     undecided: Vec<Mutant>,
     /// Refuted claims for which the search was tried and the original was not its first proposal.
     not_repaired_first: Vec<Mutant>,
+    rewritings: Rewritings,
+}
+
+/// True claims said in another way.
+#[derive(Debug, Serialize)]
+struct Rewritings {
+    /// All rewritings of the documents, tried or not.
+    possible: usize,
+    total: KeptCounts,
+    by_kind: Ordered<KeptCounts>,
+    wrongly_rejected: Vec<Rewritten>,
+    undecided: Vec<Rewritten>,
+}
+
+#[derive(Debug, Serialize)]
+struct KeptCounts {
+    rewritings: usize,
+    accepted: usize,
+    undecided: usize,
+    wrongly_rejected: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct Rewritten {
+    document: String,
+    label: String,
+    member: usize,
+    rewriting: &'static str,
+    /// The equation as it was, in LaTeX.
+    printed: String,
+    /// The rewritten equation.
+    rewritten: String,
+    /// Why it was rejected or is undecided.
+    why: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -107,6 +141,55 @@ pub fn figures(mutations: &[Mutation], seed: u64) -> Figures {
         equivalents: listed(&|t| matches!(t.fate, Fate::Equivalent(_))),
         undecided: listed(&|t| matches!(t.fate, Fate::Undecided(_))),
         not_repaired_first: listed(&|t| t.repair.as_ref().is_some_and(|r| !r.first)),
+        rewritings: rewritings(mutations),
+    }
+}
+
+fn rewritings(mutations: &[Mutation]) -> Rewritings {
+    let (total, by_kind) = kepts(mutations);
+    let listed = |wanted: &dyn Fn(&Said) -> Option<String>| -> Vec<Rewritten> {
+        mutations
+            .iter()
+            .flat_map(|m| m.rewritten.iter().map(move |said| (m, said)))
+            .filter_map(|(m, said)| {
+                Some(Rewritten {
+                    document: m.document.clone(),
+                    label: said.label.clone(),
+                    member: said.member,
+                    rewriting: said.rewriting.as_str(),
+                    printed: said.printed.clone(),
+                    rewritten: said.rewritten.clone(),
+                    why: wanted(said)?,
+                })
+            })
+            .collect()
+    };
+    Rewritings {
+        possible: mutations.iter().map(|m| m.possible_rewritings).sum(),
+        total: kept_counts(&total),
+        by_kind: Ordered(
+            by_kind
+                .iter()
+                .map(|(kind, kepts)| (kind.as_str().to_string(), kept_counts(kepts)))
+                .collect(),
+        ),
+        wrongly_rejected: listed(&|said| match &said.kept {
+            Kept::Rejected(why) => Some(why.clone()),
+            Kept::Accepted | Kept::Undecided(_) => None,
+        }),
+        undecided: listed(&|said| match &said.kept {
+            Kept::Undecided(why) => Some(why.clone()),
+            Kept::Accepted | Kept::Rejected(_) => None,
+        }),
+    }
+}
+
+fn kept_counts(kepts: &Kepts) -> KeptCounts {
+    KeptCounts {
+        rewritings: kepts.rewritings,
+        accepted: kepts.accepted,
+        undecided: kepts.undecided,
+        wrongly_rejected: kepts.rejected,
     }
 }
 

@@ -2,8 +2,8 @@
 
 pub mod json;
 
-use crate::mutation::tally::{Tally, tally};
-use crate::mutation::{Fate, Mutation, Tried};
+use crate::mutation::tally::{Kepts, Tally, kepts, tally};
+use crate::mutation::{Fate, Kept, Mutation, Said, Tried};
 use comfy_table::{CellAlignment, Table, presets};
 use std::collections::BTreeMap;
 
@@ -25,6 +25,57 @@ pub fn plain(mutation: &Mutation) -> String {
     out += &undecided(mutation);
     out += &left_out(mutation);
     out += &faults(mutation);
+    out += &rewritings(mutation);
+    out
+}
+
+/// The rewritings that are not accepted any more.
+fn rewritings(mutation: &Mutation) -> String {
+    let Mutation {
+        rewritten,
+        possible_rewritings,
+        ..
+    } = mutation;
+    let (total, _) = kepts([mutation]);
+    let mut out = format!(
+        "\n true rewritings: {} of {possible_rewritings} tried, {} accepted as before\n",
+        total.rewritings, total.accepted
+    );
+    let example = |said: &Said| {
+        let (label, member) = (&said.label, said.member);
+        format!(
+            "({label}.{member}) {}: {}",
+            said.rewriting.as_str(),
+            one_line(&said.rewritten)
+        )
+    };
+    let mut undecided: BTreeMap<&str, Vec<&Said>> = BTreeMap::new();
+    for said in rewritten {
+        if let Kept::Undecided(reason) = &said.kept {
+            undecided.entry(reason).or_default().push(said);
+        }
+    }
+    for (reason, members) in undecided {
+        out += &format!("  {:>5}  {reason}\n", members.len());
+        for said in members.iter().take(EXAMPLES) {
+            out += &format!("           {}\n", example(said));
+        }
+    }
+    let rejected = rewritten.iter().filter_map(|said| match &said.kept {
+        Kept::Rejected(why) => Some((said, why)),
+        Kept::Accepted | Kept::Undecided(_) => None,
+    });
+    let rejected: Vec<(&Said, &String)> = rejected.collect();
+    if rejected.is_empty() {
+        return out + "\n wrongly rejected: none\n";
+    }
+    out += &format!(
+        "\n wrongly rejected: {}; each is a fault of the program\n",
+        rejected.len()
+    );
+    for (said, why) in rejected {
+        out += &format!("  {}\n    {why}\n", example(said));
+    }
     out
 }
 
@@ -33,9 +84,10 @@ pub fn summary(mutations: &[Mutation]) -> String {
     let all: Vec<&Mutation> = mutations.iter().collect();
     let (total, _) = tally(all.iter().copied());
     format!(
-        "{} documents, {} mutants\n\n{}",
+        "{} documents, {} mutants, {} rewritings\n\n{}",
         all.len(),
         total.mutants,
+        kepts(all.iter().copied()).0.rewritings,
         table(&all)
     )
 }
@@ -68,21 +120,22 @@ fn table(mutations: &[&Mutation]) -> String {
     table.force_no_tty();
     table.set_header([
         "class",
-        "mutants",
+        "tried",
         "refuted",
         "no meaning",
         "equivalent",
         "undecided",
         "survived",
+        "wrongly rejected",
         "repaired first",
         "repaired any",
     ]);
-    let mut row = |name: &str, tally: &Tally| {
+    let row = |name: &str, tally: &Tally| {
         let of_tried = |n: usize| match tally.repairs_tried {
             0 => "-".to_string(),
             tried => format!("{n} of {tried}"),
         };
-        table.add_row(vec![
+        vec![
             name.to_string(),
             tally.mutants.to_string(),
             tally.refuted.to_string(),
@@ -90,15 +143,36 @@ fn table(mutations: &[&Mutation]) -> String {
             tally.equivalent.to_string(),
             tally.undecided.to_string(),
             tally.survived.to_string(),
+            tally.false_alarms.to_string(),
             of_tried(tally.repaired_first),
             of_tried(tally.repaired_any),
-        ]);
+        ]
     };
     for (class, tally) in &by_class {
-        row(class.as_str(), tally);
+        table.add_row(row(class.as_str(), tally));
     }
-    row("total", &total);
-    for column in 1..9 {
+    table.add_row(row("false edits", &total));
+    let (total, by_kind) = kepts(mutations.iter().copied());
+    let row = |name: &str, kepts: &Kepts| {
+        let none = || "-".to_string();
+        vec![
+            name.to_string(),
+            kepts.rewritings.to_string(),
+            none(),
+            none(),
+            kepts.accepted.to_string(),
+            kepts.undecided.to_string(),
+            none(),
+            kepts.rejected.to_string(),
+            none(),
+            none(),
+        ]
+    };
+    for (kind, kepts) in &by_kind {
+        table.add_row(row(kind.as_str(), kepts));
+    }
+    table.add_row(row("true rewritings", &total));
+    for column in 1..10 {
         if let Some(column) = table.column_mut(column) {
             column.set_cell_alignment(CellAlignment::Right);
         }
