@@ -79,7 +79,7 @@ fn at_points(
     };
     let mut work = budget.work;
     // What is dear is looked at fewer times.
-    let enough = budget.work - budget.work / 8;
+    let enough = budget.work - budget.work / 40;
     let is_equation = link.relation == Relation::Equal;
     // An inequality is violated on a part of the points only.
     let (wanted, tries) = if is_equation {

@@ -1,9 +1,11 @@
 //! `E{...}` of what has degree two at most in random quantities with mean zero.
 //!
-//! Which letters are random the covariances of the notation say: the entries of their vectors. That an
-//! expression has degree two at most in them is seen from how it is put together; then it is what it is
-//! where they vanish, plus the coefficients of their products times the covariances, and the
-//! coefficients are read off along the axes and the diagonals between them.
+//! What is random the covariances of the notation say: the entries of their vectors, linear forms in the
+//! letters of processes. That an expression has degree two at most is seen from how it is put
+//! together; its coefficients are read off along the axes and the diagonals between them. Then it is
+//! what it is where the letters vanish, plus a combination of products of two entries, which is found by
+//! elimination, and each of which has its covariance. An expectation of what is no such combination is
+//! not known.
 
 use super::degrees::Degrees;
 use super::evaluator::{Evaluator, Result};
@@ -11,126 +13,267 @@ use super::failure::Reason;
 use super::jet::Jet;
 use super::letters::LayerKind;
 use super::value::Value;
-use super::world::World;
-use crate::expr::{Expr, ExprKind};
-use crate::latex;
+use crate::expr::Expr;
+use crate::matrix::Matrix;
 use crate::model::Node;
-use crate::model::names::Resolved;
 use crate::span::Span;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A symbol or its derivative of an order.
 type Letter = (usize, u8);
 
-/// The most random letters that an expectation is computed for.
+/// The most letters of processes that an expectation is computed for.
 const MOST_LETTERS: usize = 24;
 
-/// The coefficients of products of two letters, by their numbers.
-type Coefficients = BTreeMap<(usize, usize), Value>;
+/// A linear form: a coefficient for each letter.
+type Form = Vec<Jet>;
 
-/// Where the covariance of two letters stands: the matrix, its row and its column.
-type Source = (Node, usize, usize);
+/// The product of two random quantities: a coefficient for each pair of letters, and where its
+/// covariance stands.
+struct Moment {
+    product: Vec<Jet>,
+    node: Node,
+    row: usize,
+    column: usize,
+}
+
+/// What an expression is in the letters: its value where they vanish, its linear coefficients, and those
+/// of the products of pairs.
+struct Quadratic {
+    constant: Value,
+    linear: Vec<Value>,
+    pairs: Vec<Value>,
+}
 
 impl Evaluator<'_, '_> {
     pub(super) fn expectation(&mut self, body: &Expr, span: Span) -> Result<Value> {
-        let unsupported = |what| Err(Reason::Unsupported(what).at(span));
         let world = self.world;
-        let moments = moments(world);
         let degree = Degrees::new(world).of(body);
         if degree.is_none_or(|degree| degree > 2) {
-            return unsupported("an expectation of another degree than two");
+            let what = "an expectation of another degree than two";
+            return Err(Reason::Unsupported(what).at(span));
         }
-        let behind = world.behind_expression(body);
-        let random: BTreeSet<Letter> = moments
-            .keys()
-            .flat_map(|(a, b)| [*a, *b])
-            .filter(|(s, _)| behind.symbols.contains(s))
-            .collect();
-        let random: Vec<Letter> = random.into_iter().collect();
-        if random.len() > MOST_LETTERS {
+        let covariances: Vec<_> = world.model().covariances().collect();
+        let mut letters = self.processes_in(body)?;
+        for (_, _, covariance) in &covariances {
+            letters.extend(self.processes_in(&covariance.left)?);
+            letters.extend(self.processes_in(&covariance.right)?);
+        }
+        let letters: Vec<Letter> = letters.into_iter().collect();
+        if letters.len() > MOST_LETTERS {
             return Err(Reason::Budget("random quantities").at(span));
         }
-        let outside = std::mem::take(&mut self.used);
-        let coefficients = self.quadratic_coefficients(body, &random, span);
-        let used = std::mem::replace(&mut self.used, outside);
-        let process = |s: usize| world.model().symbols[s].function_of.is_some();
-        let other = used.keys().any(|(s, _)| process(*s));
-        self.used.extend(used);
-        if other {
-            return unsupported("an expectation of what is not known to be random");
-        }
-        let (mut sum, coefficients) = coefficients?;
-        for ((i, j), coefficient) in coefficients {
-            let zero = coefficient.entries().iter().all(|c| c.is_zero());
-            if zero {
+        let mut random: Vec<Form> = Vec::new();
+        let mut moments: Vec<Moment> = Vec::new();
+        for (_, node, covariance) in covariances {
+            let left = self.forms(&covariance.left, &letters)?;
+            let right = self.forms(&covariance.right, &letters)?;
+            let (Some(left), Some(right)) = (left, right) else {
                 continue;
-            }
-            let (a, b) = (random[i].min(random[j]), random[i].max(random[j]));
-            let Some((node, row, column)) = moments.get(&(a, b)) else {
-                return unsupported("a product without a covariance");
             };
-            let covariance = self.node((*node, Vec::new()), span)?;
-            let entry = match &covariance {
-                Value::Scalar(x) if (*row, *column) == (0, 0) => x.clone(),
-                Value::Matrix(m) if *row < m.rows() && *column < m.columns() => {
-                    m[(*row, *column)].clone()
+            for (row, a) in left.iter().enumerate() {
+                for (column, b) in right.iter().enumerate() {
+                    let product = self.product_of(a, b).map_err(|r| r.at(span))?;
+                    if !moments.iter().any(|m| m.product == product) {
+                        moments.push(Moment {
+                            product,
+                            node,
+                            row,
+                            column,
+                        });
+                    }
+                }
+            }
+            random.extend(left);
+            random.extend(right);
+        }
+        let quadratic = self.quadratic(body, &letters, span)?;
+        // A term of degree one has mean zero if its letter is random itself.
+        let is_random = |k: usize| {
+            let own = |form: &Form| {
+                let mut entries = form.iter().enumerate();
+                entries.all(|(l, x)| {
+                    if l == k {
+                        *x == Jet::integer(1)
+                    } else {
+                        x.is_zero()
+                    }
+                })
+            };
+            random.iter().any(own)
+        };
+        let vanishes = |v: &Value| v.entries().iter().all(|x| x.is_zero());
+        let mut linear = quadratic.linear.iter().enumerate();
+        if !linear.all(|(k, v)| vanishes(v) || is_random(k)) {
+            let what = "an expectation of what is not known to be random";
+            return Err(Reason::Unsupported(what).at(span));
+        }
+        self.combined(&quadratic, &moments, span)
+    }
+
+    /// The constant, and the covariances times the coefficients of their products.
+    fn combined(&mut self, quadratic: &Quadratic, moments: &[Moment], span: Span) -> Result<Value> {
+        let mut covariances = Vec::with_capacity(moments.len());
+        let vanishes = |v: &Value| v.entries().iter().all(|x| x.is_zero());
+        if quadratic.pairs.iter().all(vanishes) {
+            return Ok(quadratic.constant.clone());
+        }
+        for moment in moments {
+            let value = self.node((moment.node, Vec::new()), span)?;
+            covariances.push(match &value {
+                Value::Scalar(x) if (moment.row, moment.column) == (0, 0) => x.clone(),
+                Value::Matrix(m) if moment.row < m.rows() && moment.column < m.columns() => {
+                    m[(moment.row, moment.column)].clone()
                 }
                 Value::Zero => Jet::zero(),
                 Value::Scalar(_) | Value::Matrix(_) => {
-                    return unsupported("a covariance of another shape");
+                    return Err(Reason::Unsupported("a covariance of another shape").at(span));
                 }
-            };
-            let term = self
-                .arithmetic
-                .product(&Value::Scalar(entry), &coefficient)
-                .map_err(|r| r.at(span))?;
-            sum = self.arithmetic.sum(&sum, &term).map_err(|r| r.at(span))?;
+            });
         }
-        Ok(sum)
+        // One right side for each entry of the value.
+        let entries = quadratic.constant.entries().len();
+        let rows = quadratic.pairs.len();
+        if moments.is_empty() || rows < moments.len() || entries == 0 {
+            let what = "an expectation of what is not known to be random";
+            return Err(Reason::Unsupported(what).at(span));
+        }
+        let matrix = Matrix::from_fn(rows, moments.len(), |i, k| moments[k].product[i].clone());
+        let right = Matrix::from_fn(rows, entries, |i, e| {
+            let value = quadratic.pairs[i].entries();
+            value.get(e).map_or_else(Jet::zero, |x| (*x).clone())
+        });
+        let a = &self.arithmetic;
+        let factors = a.solve(&matrix, &right).map_err(|reason| match reason {
+            // No combination, or not only one: then it is not known.
+            Reason::Undefined(_) => {
+                Reason::Unsupported("an expectation of what is not known to be random").at(span)
+            }
+            other => other.at(span),
+        })?;
+        let mut next = 0;
+        quadratic
+            .constant
+            .map(|constant| {
+                let mut sum = constant.clone();
+                for (k, covariance) in covariances.iter().enumerate() {
+                    let term = a.multiply(&factors[(k, next)], covariance)?;
+                    sum = a.add(&sum, &term);
+                }
+                next += 1;
+                Ok(sum)
+            })
+            .map_err(|r: Reason| r.at(span))
     }
 
-    /// The value where all random letters vanish, and the coefficients of their products.
-    fn quadratic_coefficients(
-        &mut self,
-        body: &Expr,
-        random: &[Letter],
-        span: Span,
-    ) -> Result<(Value, Coefficients)> {
-        let mut constant = Value::Zero;
-        let mut found: BTreeMap<(usize, usize), Value> = BTreeMap::new();
-        let n = random.len();
-        let pairs = (0..n).map(|i| (i, i));
-        let pairs = pairs.chain((0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))));
-        for (i, j) in pairs {
-            let value = self.along(body, random, &[i, j], span)?;
-            constant = value.0;
-            let coefficient = if i == j {
-                value.1
-            } else {
-                // Of (r_i + r_j): the square of each is in it.
-                let both = self.arithmetic.sum(&found[&(i, i)], &found[&(j, j)]);
-                let both = both.map_err(|r| r.at(span))?;
-                let rest = self.arithmetic.sum(&value.1, &both.negated());
-                rest.map_err(|r| r.at(span))?
-            };
-            found.insert((i, j), coefficient);
+    /// The letters of processes that an expression is computed from.
+    fn processes_in(&mut self, expr: &Expr) -> Result<BTreeSet<Letter>> {
+        // What is known already would not be used again.
+        let known = std::mem::take(&mut self.known);
+        let layers = self.layers.iter_mut();
+        let of_layers: Vec<_> = layers.map(|l| std::mem::take(&mut l.known)).collect();
+        let before = std::mem::take(&mut self.used);
+        let value = self.expression(expr);
+        let used = std::mem::replace(&mut self.used, before);
+        self.known = known;
+        for (layer, known) in self.layers.iter_mut().zip(of_layers) {
+            layer.known = known;
         }
-        if n == 0 {
-            constant = self.expression(body)?;
-        }
-        Ok((constant, found))
+        value?;
+        let model = self.world.model();
+        let process = |l: &&Letter| model.symbols[l.0].function_of.is_some();
+        let found = used.keys().filter(process).copied().collect();
+        self.used.extend(used);
+        Ok(found)
     }
 
-    /// The coefficients of e^0 and e^2 where the letters with these numbers are e and the others vanish.
+    /// The entries of a column as linear forms; none where they are not.
+    fn forms(&mut self, vector: &Expr, letters: &[Letter]) -> Result<Option<Vec<Form>>> {
+        let variable = self.arithmetic.open(0);
+        let given = letters.iter().enumerate().map(|(k, letter)| {
+            let slopes = BTreeMap::from([(k, Jet::integer(1))]);
+            (*letter, Jet::form(variable, Jet::zero(), slopes))
+        });
+        let layer = LayerKind::Given(given.collect());
+        let value = self.with_layer(layer, |e| e.expression(vector));
+        self.arithmetic.close();
+        let value = match value {
+            Ok(value) => value,
+            Err(none) if none.reason == Reason::NotLinear => return Ok(None),
+            Err(none) => return Err(none),
+        };
+        if value.shape().is_none_or(|(_, columns)| columns != 1) {
+            return Ok(None);
+        }
+        let mut forms = Vec::new();
+        for entry in value.entries() {
+            let (constant, slopes) = entry.parts(variable);
+            if !constant.is_zero() {
+                return Ok(None);
+            }
+            let slope = |k: usize| slopes.get(&k).cloned().unwrap_or_else(Jet::zero);
+            forms.push((0..letters.len()).map(slope).collect());
+        }
+        Ok(Some(forms))
+    }
+
+    /// The coefficients of a product of two forms, pair by pair.
+    fn product_of(&self, a: &Form, b: &Form) -> std::result::Result<Vec<Jet>, Reason> {
+        let arithmetic = &self.arithmetic;
+        pairs(a.len())
+            .map(|(i, j)| {
+                let one = arithmetic.multiply(&a[i], &b[j])?;
+                if i == j {
+                    return Ok(one);
+                }
+                Ok(arithmetic.add(&one, &arithmetic.multiply(&a[j], &b[i])?))
+            })
+            .collect()
+    }
+
+    fn quadratic(&mut self, body: &Expr, letters: &[Letter], span: Span) -> Result<Quadratic> {
+        let mut constant = None;
+        let mut linear = Vec::new();
+        let mut squares: Vec<Value> = Vec::new();
+        let mut found = Vec::new();
+        for i in 0..letters.len() {
+            let [zero, one, two] = self.along(body, letters, &[i], span)?;
+            constant.get_or_insert(zero);
+            linear.push(one);
+            squares.push(two);
+        }
+        for (i, j) in pairs(letters.len()) {
+            if i == j {
+                found.push(squares[i].clone());
+                continue;
+            }
+            // Of (r_i + r_j): the square of each is in it.
+            let [_, _, two] = self.along(body, letters, &[i, j], span)?;
+            let both = self.arithmetic.sum(&squares[i], &squares[j]);
+            let rest = both.and_then(|both| self.arithmetic.sum(&two, &both.negated()));
+            found.push(rest.map_err(|r| r.at(span))?);
+        }
+        Ok(Quadratic {
+            constant: match constant {
+                Some(constant) => constant,
+                None => self.expression(body)?,
+            },
+            linear,
+            pairs: found,
+        })
+    }
+
+    /// The coefficients of e^0, e^1 and e^2 where the letters with these numbers are e and the others
+    /// vanish.
     fn along(
         &mut self,
         body: &Expr,
-        random: &[Letter],
+        letters: &[Letter],
         numbers: &[usize],
         span: Span,
-    ) -> Result<(Value, Value)> {
+    ) -> Result<[Value; 3]> {
         let variable = self.arithmetic.open(2);
-        let values = random.iter().enumerate().map(|(k, letter)| {
+        let given = letters.iter().enumerate().map(|(k, letter)| {
             let value = if numbers.contains(&k) {
                 Jet::series(variable, vec![Jet::zero(), Jet::integer(1)])
             } else {
@@ -138,121 +281,19 @@ impl Evaluator<'_, '_> {
             };
             (*letter, value)
         });
-        let layer = LayerKind::Given(values.collect());
+        let layer = LayerKind::Given(given.collect());
         let value = self.with_layer(layer, |e| e.expression(body));
         self.arithmetic.close();
         let value = value?;
-        let coefficient = |k: usize| value.map(|x| Ok::<_, Reason>(x.coefficient(variable, k)));
-        let pair = coefficient(0).and_then(|zero| Ok((zero, coefficient(2)?)));
-        pair.map_err(|r| r.at(span))
-    }
-}
-
-/// The covariances of pairs of letters.
-fn moments(world: &World<'_>) -> BTreeMap<(Letter, Letter), Source> {
-    let mut found = BTreeMap::new();
-    for (_, node, covariance) in world.model().covariances() {
-        let vectors = [&covariance.left, &covariance.right].map(|v| letters_of(world, v, 0));
-        let [Some(left), Some(right)] = vectors else {
-            continue;
+        let coefficient = |k: usize| {
+            let taken = value.map(|x| Ok::<_, Reason>(x.coefficient(variable, k)));
+            taken.map_err(|r| r.at(span))
         };
-        for (i, a) in left.iter().enumerate() {
-            for (j, b) in right.iter().enumerate() {
-                let pair = (*a.min(b), *a.max(b));
-                found.entry(pair).or_insert((node, i, j));
-            }
-        }
-    }
-    found
-}
-
-/// The letters that the entries of a column are, if that is all they are.
-fn letters_of(world: &World<'_>, vector: &Expr, depth: usize) -> Option<Vec<Letter>> {
-    let model = world.model();
-    if depth > 16 {
-        return None;
-    }
-    match &vector.kind {
-        ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } => {
-            letters_of(world, inner, depth + 1)
-        }
-        ExprKind::Apply {
-            function,
-            arguments,
-        } => {
-            let plain = |a: &Expr| {
-                matches!(&a.kind, ExprKind::Name(n)
-                    if model.is_argument_of(function, &latex::canonical(n)))
-            };
-            let defined = match model.resolve(function, &|_| false) {
-                Ok(Resolved::Node { node, .. }) => model.function_definition(node).is_some(),
-                _ => false,
-            };
-            if defined || !arguments.iter().all(plain) {
-                return None;
-            }
-            let name = Expr::new(ExprKind::Name(function.clone()), vector.span);
-            letters_of(world, &name, depth + 1)
-        }
-        ExprKind::Name(name) => match model.resolve(name, &|_| false).ok()? {
-            Resolved::Letter { symbol, order } => Some(vec![(symbol, order)]),
-            Resolved::Node {
-                node: Node::Matrix(m),
-                derivatives,
-            } => {
-                let matrix = &model.matrices[m];
-                let (rows, columns) = matrix.shape_in(&model.instances[world.instance]);
-                if columns != 1 {
-                    return None;
-                }
-                let letters = (0..rows).map(|i| match matrix.entry(i, 0) {
-                    crate::model::matrices::MatrixEntry::Symbol(s) => Some((s, derivatives)),
-                    _ => None,
-                });
-                letters.collect()
-            }
-            Resolved::Node {
-                node: Node::Definition(d),
-                derivatives,
-            } => {
-                let definition = &model.definitions[d];
-                let value = definition.place.find(world.display(definition.equation))?;
-                let letters = letters_of(world, value, depth + 1)?;
-                // A derivative of a letter is a letter unless an equation of motion gives it.
-                let higher = |l: Letter| -> Option<Letter> {
-                    let order = l.1 + derivatives;
-                    let free = (l.1 + 1..=order).all(|k| is_free(world, (l.0, k)));
-                    free.then_some((l.0, order))
-                };
-                letters.into_iter().map(higher).collect()
-            }
-            _ => None,
-        },
-        ExprKind::Matrix { rows, .. } => {
-            let mut letters = Vec::new();
-            for row in rows {
-                let [entry] = row.as_slice() else {
-                    return None;
-                };
-                letters.extend(letters_of(world, entry, depth + 1)?);
-            }
-            Some(letters)
-        }
-        _ => None,
+        Ok([coefficient(0)?, coefficient(1)?, coefficient(2)?])
     }
 }
 
-/// Whether nothing determines a derivative of a symbol.
-fn is_free(world: &World<'_>, (symbol, order): Letter) -> bool {
-    let model = world.model();
-    let declared = &model.symbols[symbol];
-    let mut name = match declared.entry_of {
-        Some((matrix, ..)) => model.matrices[matrix].name.clone(),
-        None => declared.name.clone(),
-    };
-    name.dots = name.dots.saturating_add(order);
-    match model.resolve(&name, &|_| false) {
-        Ok(Resolved::Node { node, .. }) => matches!(node, Node::Matrix(_)),
-        _ => true,
-    }
+/// The pairs of numbers below n, the smaller one first.
+fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..n).flat_map(move |i| (i..n).map(move |j| (i, j)))
 }
