@@ -12,7 +12,7 @@ use super::jet::Jet;
 use super::letters::Layer;
 use super::point::Point;
 use super::value::{Value, misfit};
-use super::world::World;
+use super::world::{Known, World};
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::latex;
 use crate::model::Node;
@@ -20,6 +20,7 @@ use crate::real::{Complex, Real};
 use crate::span::Span;
 use num_traits::ToPrimitive;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// The deepest nesting of expressions, through definitions too.
 const DEEPEST: usize = 3_000;
@@ -41,7 +42,7 @@ pub struct Evaluator<'w, 'm> {
     /// What letters stand for otherwise, the innermost last.
     pub(super) layers: Vec<Layer>,
     /// Values of names at the point itself.
-    pub(super) known: BTreeMap<Key, Value>,
+    pub(super) known: BTreeMap<Key, Arc<Known>>,
     /// What is being computed, each with the number of its innermost layer.
     pub(super) open: BTreeSet<(Key, u64)>,
     pub(super) layers_so_far: u64,

@@ -7,6 +7,7 @@ use super::failure::Reason;
 use super::jet::Jet;
 use super::letters::LayerKind;
 use super::value::{Value, identity};
+use super::world::Known;
 use crate::expr::Name;
 use crate::functions::Constant;
 use crate::latex;
@@ -16,6 +17,7 @@ use crate::model::names::{Element, Resolved};
 use crate::model::{DefinitionKind, Node, NotationKind};
 use crate::real::{Complex, Real};
 use crate::span::Span;
+use std::sync::Arc;
 
 impl Evaluator<'_, '_> {
     pub(super) fn name(&mut self, name: &Name, span: Span) -> Result<Value> {
@@ -134,9 +136,17 @@ impl Evaluator<'_, '_> {
                 return Ok(value.clone());
             }
         }
-        let known = self.layers.last().map_or(&self.known, |layer| &layer.known);
-        if let Some(value) = known.get(&key) {
-            return Ok(value.clone());
+        match self.layers.last() {
+            Some(layer) => {
+                if let Some(value) = layer.known.get(&key) {
+                    return Ok(value.clone());
+                }
+            }
+            None => {
+                if let Some(value) = self.known_at_point(&key) {
+                    return Ok(value);
+                }
+            }
         }
         let opened = (
             key.clone(),
@@ -147,21 +157,55 @@ impl Evaluator<'_, '_> {
         }
         let outer = std::mem::take(&mut self.bound);
         let wanted = self.wanted_rows.take();
+        let used = std::mem::take(&mut self.used);
+        let coarse = std::mem::take(&mut self.coarse);
         let value = self.compute(&key, span);
         self.bound = outer;
         self.wanted_rows = wanted;
         self.open.remove(&opened);
-        let value = value?;
-        self.remember(key, value.clone());
-        Ok(value)
+        if let Ok(value) = &value {
+            self.remember(key, value.clone());
+        }
+        self.used.extend(used);
+        self.coarse |= coarse;
+        value
     }
 
-    /// Keeps a value for the present layers.
+    /// A value that was computed before at the point itself, for this claim or for another.
+    fn known_at_point(&mut self, key: &Key) -> Option<Value> {
+        let bits = self.arithmetic.bits;
+        let known = match self.known.get(key) {
+            Some(known) => known.clone(),
+            None => {
+                let known = self.world.known(self.point, bits, key)?;
+                self.known.insert(key.clone(), known.clone());
+                known
+            }
+        };
+        for (letter, value) in &known.used {
+            self.used.entry(*letter).or_insert_with(|| value.clone());
+        }
+        self.coarse |= known.coarse;
+        Some(known.value.clone())
+    }
+
+    /// Keeps a value for the present layers, with what was used since its computation began.
     pub(super) fn remember(&mut self, key: Key, value: Value) {
         match self.layers.last_mut() {
-            Some(layer) => layer.known.insert(key, value),
-            None => self.known.insert(key, value),
-        };
+            Some(layer) => {
+                layer.known.insert(key, value);
+            }
+            None => {
+                let known = Arc::new(Known {
+                    value,
+                    used: self.used.clone(),
+                    coarse: self.coarse,
+                });
+                let bits = self.arithmetic.bits;
+                self.world.keep(self.point, bits, &key, &known);
+                self.known.insert(key, known);
+            }
+        }
     }
 
     fn compute(&mut self, key: &Key, span: Span) -> Result<Value> {

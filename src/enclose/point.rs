@@ -38,6 +38,8 @@ enum Style {
 pub struct Point {
     number: usize,
     ranges: Arc<Vec<Range>>,
+    /// Whether these ranges are those that the document declares.
+    declared: bool,
     fixed: BTreeMap<(usize, u8), Complex>,
     /// The highest derivative of a process whose derivatives an equation determines.
     highest: BTreeMap<usize, u8>,
@@ -81,10 +83,16 @@ fn integer(n: i64) -> BigRational {
 
 impl Point {
     /// The point of a number, with letters in these ranges.
-    pub(super) fn new(number: usize, ranges: Arc<Vec<Range>>, tangle: Arc<Tangle>) -> Self {
+    pub(super) fn new(
+        number: usize,
+        ranges: Arc<Vec<Range>>,
+        declared: bool,
+        tangle: Arc<Tangle>,
+    ) -> Self {
         Point {
             number,
             ranges,
+            declared,
             fixed: BTreeMap::new(),
             highest: BTreeMap::new(),
             verify: false,
@@ -95,7 +103,13 @@ impl Point {
     /// The point of a number where letters have the ranges that the document declares.
     pub fn of(model: &Model, number: usize) -> Self {
         let ranges = model.symbols.iter().map(|s| s.range.clone()).collect();
-        Point::new(number, Arc::new(ranges), Arc::default())
+        Point::new(number, Arc::new(ranges), true, Arc::default())
+    }
+
+    /// Which point it is, where all letters are drawn as the document declares them.
+    pub(super) fn drawn_number(&self) -> Option<usize> {
+        let declared = self.declared && self.fixed.is_empty() && self.highest.is_empty();
+        (declared && self.tangle.symbols.is_empty()).then_some(self.number)
     }
 
     /// Which point it is.

@@ -111,7 +111,12 @@ impl<'w, 'm> Points<'w, 'm> {
         for _ in 0..most {
             let number = self.next;
             self.next += 1;
-            let mut point = Point::new(number, self.ranges.clone(), self.tangle.clone());
+            let mut point = Point::new(
+                number,
+                self.ranges.clone(),
+                self.hypotheses.is_empty(),
+                self.tangle.clone(),
+            );
             if !equations.is_empty() {
                 let mut solver = Solver::new(self.world, &self.ranges, self.work);
                 let solved = solver.solve(point, &equations);

@@ -1,11 +1,15 @@
 //! What an evaluator asks of a document: its model, the sizes of an instance, corrected displays, and
 //! what each name's value depends on.
 
+use super::evaluator::Key;
+use super::point::Point;
+use super::value::Value;
 use crate::expr::{Chain, Display, Expr, ExprKind, Name, Relation};
 use crate::latex;
 use crate::model::links::{Place, children};
 use crate::model::names::Resolved;
 use crate::model::{Definition, DefinitionKind, Model, Node};
+use crate::real::Complex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
 
@@ -29,7 +33,23 @@ pub struct World<'m> {
     /// The definitions of values of processes at numbers, by the canonical name of the process.
     values: BTreeMap<String, Vec<Node>>,
     behind: Mutex<BTreeMap<Node, Arc<Behind>>>,
+    /// Values at the first points, which claim after claim is evaluated at: by the number of the point,
+    /// the binary digits, and the name.
+    known: Mutex<BTreeMap<(usize, u32, Key), Arc<Known>>>,
 }
+
+/// The value of a name at a point.
+#[derive(Debug)]
+pub(super) struct Known {
+    pub value: Value,
+    /// The letters that it was computed from.
+    pub used: BTreeMap<(usize, u8), Complex>,
+    /// Whether it was computed to few digits only.
+    pub coarse: bool,
+}
+
+/// The points whose values are kept.
+const KEPT_POINTS: usize = 6;
 
 impl<'m> World<'m> {
     /// A model in one of its instances, with these displays in place of the printed ones.
@@ -49,6 +69,23 @@ impl<'m> World<'m> {
             times,
             values,
             behind: Mutex::default(),
+            known: Mutex::default(),
+        }
+    }
+
+    /// A value that was computed before at a point without determined letters.
+    pub(super) fn known(&self, point: &Point, bits: u32, key: &Key) -> Option<Arc<Known>> {
+        let number = point.drawn_number().filter(|n| *n < KEPT_POINTS)?;
+        let known = self.known.lock().ok()?;
+        known.get(&(number, bits, key.clone())).cloned()
+    }
+
+    /// Keeps a value for other claims.
+    pub(super) fn keep(&self, point: &Point, bits: u32, key: &Key, value: &Arc<Known>) {
+        if let Some(number) = point.drawn_number().filter(|n| *n < KEPT_POINTS)
+            && let Ok(mut known) = self.known.lock()
+        {
+            known.insert((number, bits, key.clone()), value.clone());
         }
     }
 
