@@ -306,7 +306,9 @@ impl<'m> Checker<'m> {
     }
 
     fn unusable(&mut self, failure: &Failure) -> Unusable {
-        self.note(failure);
+        if failure.kind != FailureKind::DivisionByZero {
+            self.note(failure);
+        }
         match &failure.kind {
             FailureKind::Unsupported { what } => Unusable::Outside(what.clone()),
             FailureKind::Budget { .. } => Unusable::Limit,

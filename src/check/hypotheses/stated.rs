@@ -5,14 +5,11 @@ use super::Hypotheses;
 use crate::check::Checker;
 use crate::check::identity::{Decision, Insertion};
 use crate::evaluate::Value;
-use crate::expr::{Expr, ExprKind, Relation};
-use crate::latex;
-use crate::model::links::{Link, visit};
+use crate::expr::Relation;
+use crate::model::links::Link;
 use crate::model::{Hypothesis, Role};
-use crate::verdict::{Given, Refutation, Verdict};
+use crate::verdict::{Given, Proof, Refutation, Verdict};
 use num_traits::Zero;
-use ratpoly::{Polynomial, RationalFunction};
-use std::collections::BTreeSet;
 
 impl<'m> Checker<'m> {
     /// The verdict on a link that is false without the hypotheses that the document states; none where
@@ -29,7 +26,7 @@ impl<'m> Checker<'m> {
             return None;
         }
         let undecided = |reason: String| Some(Verdict::Undecided { reason });
-        if self.is_restated(equation, link, &stated) {
+        if self.is_multiple(equation, link, &stated) {
             return undecided("the stated hypothesis is the claim itself".into());
         }
         let conditions = self.exact.conditions.clone();
@@ -38,22 +35,7 @@ impl<'m> Checker<'m> {
             Err(unusable) => return undecided(format!("as stated: {}", self.words_of(&unusable))),
         };
         let free = self.exchange(under);
-        let decision = self
-            .sides(equation, link)
-            .map_err(|_| String::new())
-            .and_then(|entries| Ok((self.decide_true(&entries, equation)?, entries)));
-        let nothing = Insertion::default();
-        let proof = match decision {
-            Ok((Decision::Holds(by) | Decision::HoldsGiven(by, _), entries)) => {
-                let mut all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-                all.labels = by.labels;
-                self.proved(equation, link, &entries, &all, None)
-            }
-            Ok((Decision::Follows(_, given), _)) => {
-                self.proved(equation, link, &[], &nothing, Some(&given))
-            }
-            Ok((Decision::False(..) | Decision::Refuted(_), _)) | Err(_) => None,
-        };
+        let proof = self.proof_where_supposed(equation, link);
         let vanishing = self.vanishing_divisor().is_some() || self.divides_by_relation();
         self.exchange(free);
         let Some(proof) = proof else {
@@ -78,6 +60,33 @@ impl<'m> Checker<'m> {
         Some(Verdict::HoldsGiven(Box::new(given), proof))
     }
 
+    /// The proof of a link where what is supposed holds.
+    fn proof_where_supposed(&mut self, equation: usize, link: &Link) -> Option<Proof> {
+        if link.relation != Relation::Equal {
+            return match self.inequality(equation, link, &mut None) {
+                Verdict::Holds { proof, .. } => Some(proof),
+                Verdict::HoldsGiven(..)
+                | Verdict::Misprint { .. }
+                | Verdict::Refuted(_)
+                | Verdict::Undecided { .. }
+                | Verdict::Definition { .. }
+                | Verdict::Recalled { .. } => None,
+            };
+        }
+        let entries = self.sides(equation, link).ok()?;
+        match self.decide_true(&entries, equation).ok()? {
+            Decision::Holds(by) | Decision::HoldsGiven(by, _) => {
+                let mut all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+                all.labels = by.labels;
+                self.proved(equation, link, &entries, &all, None)
+            }
+            Decision::Follows(_, given) => {
+                self.proved(equation, link, &[], &Insertion::default(), Some(&given))
+            }
+            Decision::False(..) | Decision::Refuted(_) => None,
+        }
+    }
+
     /// Puts an evaluation in place of this one, and gives back the one before.
     pub(in crate::check) fn exchange(&mut self, other: Hypotheses<'m>) -> Hypotheses<'m> {
         Hypotheses {
@@ -87,62 +96,49 @@ impl<'m> Checker<'m> {
         }
     }
 
-    /// Whether a link says what one of the hypotheses printed around it says.
-    pub(in crate::check) fn is_circular(&mut self, equation: usize, l: usize) -> bool {
-        let model = self.model;
-        let printed = &model.equations[equation];
+    /// Whether a link is printed as one of the hypotheses around it.
+    pub(in crate::check) fn is_circular(&self, equation: usize, l: usize) -> bool {
+        let printed = &self.model.equations[equation];
         if printed.assume.is_empty() || printed.role != Role::Claim {
             return false;
         }
-        let hypotheses: Vec<&'m Hypothesis> = printed.assume.iter().collect();
-        self.is_restated(equation, &printed.links[l], &hypotheses)
+        let (link, display) = (&printed.links[l], self.exact.display(equation));
+        let (Some(left), Some(right)) = (link.left.find(display), link.right.find(display)) else {
+            return false;
+        };
+        printed.assume.iter().any(|h| {
+            h.relation == link.relation && h.left == *left && h.right == *right
+                || h.relation == turned(link.relation) && h.left == *right && h.right == *left
+        })
     }
 
-    /// Whether a link says what one of these hypotheses says, but for a number as a factor.
-    fn is_restated(&mut self, equation: usize, link: &Link, hypotheses: &[&Hypothesis]) -> bool {
+    /// Whether left minus right of a link is a number times that of one of these hypotheses, in the
+    /// letters as printed and before anything is supposed.
+    fn is_multiple(&mut self, equation: usize, link: &Link, hypotheses: &[&Hypothesis]) -> bool {
         let display = self.exact.display(equation).clone();
         let (Some(left), Some(right)) = (link.left.find(&display), link.right.find(&display))
         else {
             return false;
         };
-        // What names something else says something else; and its value may be dear.
-        let claimed: BTreeSet<String> = [left, right].into_iter().flat_map(names).collect();
-        let mut hypotheses = hypotheses
-            .iter()
-            .filter(|h| {
-                let own: BTreeSet<String> =
-                    [&h.left, &h.right].into_iter().flat_map(names).collect();
-                claimed.is_subset(&own)
+        let claim = Hypothesis {
+            left: left.clone(),
+            relation: link.relation,
+            right: right.clone(),
+            span: left.span,
+        };
+        let conditions = self.exact.conditions.clone();
+        let mut difference = |h: &Hypothesis| match self.exact.expression(&h.difference()) {
+            Ok(Value::Scalar(value)) if !value.is_zero() => Some(value),
+            _ => None,
+        };
+        let found = difference(&claim).is_some_and(|claim| {
+            hypotheses.iter().any(|h| {
+                let quotient = difference(h).and_then(|said| claim.checked_div(&said).ok());
+                h.relation == Relation::Equal && quotient.is_some_and(|q| q.as_constant().is_some())
             })
-            .peekable();
-        if hypotheses.peek().is_none() {
-            return false;
-        }
-        // In the letters as printed, before anything is supposed.
-        let model = self.model;
-        let mut exact = crate::check::symbolic(model).in_instance(self.instance);
-        for (corrected, display) in self.exact.corrections() {
-            exact.correct(*corrected, display.clone());
-        }
-        let mut vanishing = |left: &Expr, right: &Expr, relation: Relation| {
-            let difference = Hypothesis {
-                left: left.clone(),
-                relation,
-                right: right.clone(),
-                span: left.span,
-            };
-            exact.expression(&difference.difference()).ok()
-        };
-        let Some(claim) = vanishing(left, right, link.relation) else {
-            return false;
-        };
-        let Some(claim) = normal(&claim, link.relation) else {
-            return false;
-        };
-        hypotheses.any(|h| {
-            let said = vanishing(&h.left, &h.right, h.relation);
-            said.and_then(|said| normal(&said, h.relation)) == Some(claim.clone())
-        })
+        });
+        self.exact.conditions = conditions;
+        found
     }
 
     /// Whether the document's own numbers are none at which the hypotheses hold.
@@ -177,43 +173,17 @@ impl<'m> Checker<'m> {
     }
 }
 
-/// The names that an expression holds.
-fn names(expr: &Expr) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    visit(expr, &mut |e| {
-        if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
-            found.insert(latex::canonical(name));
-        }
-    });
-    found
-}
-
-/// What a relation says, comparable: the polynomials that vanish, or the difference that has a sign,
-/// but for positive factors that are numbers.
-fn normal(
-    value: &Value<RationalFunction>,
-    relation: Relation,
-) -> Option<(Relation, BTreeSet<String>)> {
-    let unit = |p: &Polynomial| p.primitive_part().unit_normal().to_string();
-    let (relation, flipped) = match relation {
-        Relation::Less => (Relation::Greater, true),
-        Relation::LessEqual => (Relation::GreaterEqual, true),
-        other => (other, false),
-    };
-    let entries = value.entries();
-    let said: BTreeSet<String> = match relation {
-        Relation::Equal | Relation::NotEqual => entries
-            .iter()
-            .filter(|e| !e.is_zero())
-            .map(|e| unit(e.numerator()))
-            .collect(),
-        _ => {
-            let [entry] = entries[..] else { return None };
-            let entry = if flipped { -entry } else { entry.clone() };
-            let content = entry.numerator().content();
-            let top = entry.numerator().div_integer(&content)?;
-            BTreeSet::from([format!("{top} / {}", unit(entry.denominator()))])
-        }
-    };
-    (!said.is_empty()).then_some((relation, said))
+/// The relation with its sides exchanged.
+fn turned(relation: Relation) -> Relation {
+    match relation {
+        Relation::Less => Relation::Greater,
+        Relation::LessEqual => Relation::GreaterEqual,
+        Relation::Greater => Relation::Less,
+        Relation::GreaterEqual => Relation::LessEqual,
+        Relation::Equal
+        | Relation::NotEqual
+        | Relation::Distributed
+        | Relation::Approximately
+        | Relation::Tends => relation,
+    }
 }
