@@ -9,8 +9,11 @@ use super::Checker;
 use super::identity::{Insertion, insert, is_the_claim, letters_of};
 use super::link::unverified;
 use crate::expr::Display;
+use crate::model::Letter;
 use crate::model::links::Link;
+use crate::unit::{Dimension, Unit};
 use crate::verdict::{Given, GivenEntry, PointValue, Refutation, ResidualEntry, Verdict, Witness};
+use num_rational::BigRational;
 use num_traits::Zero;
 use ratpoly::{Budget, Polynomial, RationalFunction};
 
@@ -102,7 +105,8 @@ impl Checker<'_> {
         let relation = relation?;
         let letters = relation.variables_occurring();
         let linear = letters.iter().any(|l| relation.degree(*l) == Some(1));
-        if relation.len() > TERMS || letters.len() < 2 || !linear {
+        if relation.len() > TERMS || letters.len() < 2 || !linear || !self.is_homogeneous(&relation)
+        {
             return None;
         }
         let instance = self.zero_of(&relation, &cofactors)?;
@@ -115,6 +119,25 @@ impl Checker<'_> {
             instance: Some(instance),
         };
         (!is_the_claim(&given)).then_some(given)
+    }
+
+    /// Whether all terms have one unit, as far as the units of their letters are declared.
+    fn is_homogeneous(&self, p: &Polynomial) -> bool {
+        let dimension = |exponents: &[u32]| {
+            let mut product = Dimension::one();
+            for (letter, exponent) in exponents.iter().enumerate().filter(|(_, e)| **e > 0) {
+                let Letter::Symbol { symbol, order: 0 } = self.model.letters[letter] else {
+                    return None;
+                };
+                let unit = Unit::parse(self.model.symbols[symbol].unit.as_deref()?).ok()?;
+                let power = BigRational::from_integer((*exponent).into());
+                product = product.times_power(&unit.dimension, &power);
+            }
+            Some(product)
+        };
+        let dimensions: Option<Vec<Dimension>> =
+            p.terms().map(|(m, _)| dimension(m.exponents())).collect();
+        dimensions.is_none_or(|all| all.windows(2).all(|pair| pair[0] == pair[1]))
     }
 
     /// A point at which the relation holds, and with it the equation.

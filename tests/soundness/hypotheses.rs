@@ -703,7 +703,7 @@ fn what_is_replaced_keeps_its_sign_and_its_functions_follow() {
         }
     }
     judge(
-        &all.into_iter().map(with_e).collect::<Vec<_>>(),
+        &all,
         &format!("{LETTERS}```toml notation\ne = {{ constant = \"e\" }}\n```\n"),
         95,
     );
