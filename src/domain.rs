@@ -145,6 +145,11 @@ impl Symbolic {
         }
     }
 
+    /// What the letters of functions stand for, if there are any.
+    pub(crate) fn table(&self) -> Option<&FunctionTable> {
+        self.functions.as_ref()
+    }
+
     /// The normal form of an element that was put together from normal forms.
     fn normal(&self, element: RationalFunction) -> RationalFunction {
         match &self.functions {

@@ -31,6 +31,12 @@ impl Audit {
     /// How the verdict on a link stands to what the document expects.
     pub fn standing(&self, outcome: &Outcome) -> Standing {
         let recorded = self.model.equations[outcome.equation].expected(outcome.member);
+        // A relation that nothing states or implies has to be acknowledged.
+        let offered =
+            matches!(&outcome.verdict, Verdict::HoldsGiven(given, _) if given.is_offered());
+        if offered && recorded.is_none() {
+            return Standing::Differs;
+        }
         match standing(outcome.verdict.word(), recorded) {
             Standing::AsExpected if recorded.is_some() && !self.hypothesis_as_stated(outcome) => {
                 Standing::Differs

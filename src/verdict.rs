@@ -98,12 +98,25 @@ impl ResidualEntry {
 pub struct Given {
     /// The relations: polynomials that vanish, in the printed letters.
     pub relations: Vec<Polynomial>,
+    /// Other hypotheses that the document states and that are needed, in LaTeX: inequalities, and
+    /// equations between other things than polynomials.
+    pub stated: Vec<String>,
     /// Labels of the definitions that imply them; empty when nothing in the document does.
     pub implied_by: Vec<String>,
     /// For each entry that is not an identity: left minus right = sum of cofactor times relation.
     pub cofactors: Vec<GivenEntry>,
     /// A point in the printed letters, off the relations, where the equation is false.
     pub counterexample: Option<Witness>,
+    /// A point at which the relations hold, where neither the document states them nor its definitions
+    /// imply them.
+    pub instance: Option<Witness>,
+}
+
+impl Given {
+    /// Whether it is only offered: nothing in the document states or implies it.
+    pub fn is_offered(&self) -> bool {
+        self.instance.is_some()
+    }
 }
 
 /// How one entry of the residual follows from the relations.
@@ -137,6 +150,8 @@ pub enum Because {
     Definite(String),
     /// By its sign for all values of the letters, or that of its squared modulus.
     Sign,
+    /// By the hypotheses.
+    Supposed,
 }
 
 /// Why something is positive.

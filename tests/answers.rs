@@ -100,7 +100,10 @@ fn the_witness_is_beside_the_part() {
     assert_eq!(left, -right);
     let one = num_rational::BigRational::from_integer(1.into());
     assert!(
-        witness.point.iter().all(|(_, value)| value.exact().is_some_and(|v| *v < one)),
+        witness
+            .point
+            .iter()
+            .all(|(_, value)| value.exact().is_some_and(|v| *v < one)),
         "{line}"
     );
 }

@@ -15,6 +15,8 @@ mod expectations;
 mod functions;
 #[path = "soundness/mod.rs"]
 mod generated;
+#[path = "soundness/hypotheses.rs"]
+mod hypotheses;
 #[path = "soundness/limits.rs"]
 mod limits;
 #[path = "soundness/readings.rs"]

@@ -116,7 +116,9 @@ impl<'m> Checker<'m> {
                         .into(),
                 ),
             },
-            Decision::Holds(_) | Decision::HoldsGiven(..) => Err("it was not refuted".into()),
+            Decision::Holds(_) | Decision::Follows(..) | Decision::HoldsGiven(..) => {
+                Err("it was not refuted".into())
+            }
         }
     }
 
@@ -188,20 +190,15 @@ impl<'m> Checker<'m> {
         None
     }
 
-    /// Whether the hypotheses of an equation are true at some admissible point; why not, in words.
-    #[allow(dead_code)]
-    pub(super) fn admits_a_point(&self, equation: usize) -> Result<(), String> {
+    /// Whether these hypotheses are true at some admissible point; none where it is certain that they
+    /// are at none.
+    pub(super) fn admits_a_point(&self, hypotheses: &[&Hypothesis]) -> Option<bool> {
         let world = self.world(None);
-        let hypotheses: Vec<&Hypothesis> = self.model.equations[equation].assume.iter().collect();
-        let found = Points::new(&world, hypotheses).and_then(|mut points| points.next());
-        match found {
-            Ok(_) => Ok(()),
-            Err(crate::enclose::NoPoint::Contradictory(_)) => {
-                Err("the hypotheses contradict each other: nothing holds under them".into())
-            }
-            Err(crate::enclose::NoPoint::NoneFound { tried, .. }) => Err(format!(
-                "no admissible point was found at which the hypotheses are true, among {tried}"
-            )),
+        let hypotheses = hypotheses.iter().copied();
+        match Points::new(&world, hypotheses).and_then(|mut points| points.next()) {
+            Ok(_) => Some(true),
+            Err(crate::enclose::NoPoint::Contradictory(_)) => None,
+            Err(crate::enclose::NoPoint::NoneFound { .. }) => Some(false),
         }
     }
 

@@ -54,9 +54,27 @@ impl Checker<'_> {
         found
     }
 
+    /// Whether something is divided by that vanishes wherever the hypotheses hold: then nothing is said.
+    pub(super) fn divides_by_relation(&self) -> bool {
+        if self.supposed.relations.is_empty() {
+            return false;
+        }
+        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
+        self.exact.conditions.iter().any(|condition| {
+            let inserted = match self.functions() {
+                Some(table) => table.substitute(&condition.divisor, &all.letters).ok(),
+                None => condition.divisor.substitute(&all.letters).ok(),
+            };
+            inserted.is_some_and(|divisor| self.vanishes_under_relations(divisor.numerator()))
+        })
+    }
+
     fn nonvanishing(&self, factor: &Polynomial) -> Option<Because> {
         if self.has_one_sign(factor) {
             return Some(Because::Positive);
+        }
+        if self.supposed.in_force && self.signs(factor).excludes_zero() {
+            return Some(Because::Supposed);
         }
         let abbreviations: Vec<usize> = factor
             .variables_occurring()
@@ -74,6 +92,13 @@ impl Checker<'_> {
         }
         if let Some(name) = self.minor_of(factor) {
             return Some(Because::Definite(name));
+        }
+        let supposed = |p: &Polynomial| self.signs(p).excludes_zero();
+        if supposed(inserted.numerator()) {
+            return Some(match self.supposed.in_force {
+                true => Because::Supposed,
+                false => Because::Sign,
+            });
         }
         let real = self.squared_modulus(inserted.numerator())?;
         let occurring = real.variables_occurring();
@@ -119,7 +144,7 @@ impl Checker<'_> {
                 entry(kept[i], kept[j]).ok_or(())
             });
             let Ok(minor) = minor else { continue };
-            let value = determinant::determinant(&self.model.field(), &minor);
+            let value = determinant::determinant(&self.exact.field, &minor);
             let normal = |p: &Polynomial| p.primitive_part().unit_normal();
             if value.is_some_and(|v| normal(v.numerator()) == normal(factor)) {
                 return Some(crate::latex::canonical(&matrix.name));
@@ -131,7 +156,7 @@ impl Checker<'_> {
     /// A real polynomial that vanishes where this one does: itself, or where it has the imaginary unit
     /// its product with the conjugate. None where it has other functions.
     fn squared_modulus(&self, f: &Polynomial) -> Option<Polynomial> {
-        let Some(table) = &self.model.functions else {
+        let Some(table) = self.functions() else {
             return Some(f.clone());
         };
         let mut unit = None;
@@ -156,7 +181,7 @@ impl Checker<'_> {
 
     /// Whether a factor is about letters of integrals or numbers only.
     fn is_no_condition(&self, factor: &Polynomial) -> bool {
-        let Some(table) = &self.model.functions else {
+        let Some(table) = self.functions() else {
             return false;
         };
         let occurring = factor.variables_occurring();

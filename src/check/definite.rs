@@ -117,7 +117,7 @@ impl Checker<'_> {
                 let Some(inserted) = self.spelt_out(value) else {
                     return undecided("a denominator vanishes by the definitions");
                 };
-                let sign = admissible.sign(&inserted);
+                let sign = self.sign_where_supposed(&inserted, admissible.sign(&inserted));
                 let fits = match sign {
                     RegionSign::Positive => true,
                     RegionSign::Zero | RegionSign::NonNegative => !strict,
@@ -129,8 +129,14 @@ impl Checker<'_> {
                 if fits {
                     continue;
                 }
+                if !signs.in_case
+                    && let Some(refutation) = self.violated_where_supposed(value, &inserted, strict)
+                {
+                    return Verdict::Refuted(refutation);
+                }
                 // In one of several cases not all points are meant.
                 if !signs.in_case
+                    && !self.supposed.in_force
                     && let Some(mut refutation) =
                         self.violation(value, &inserted, &sign, strict, &admissible)
                 {

@@ -27,6 +27,8 @@ pub(crate) struct Insertion {
 pub(crate) enum Decision {
     /// True, with these insertions.
     Holds(Insertion),
+    /// True by relations among the hypotheses in force.
+    Follows(Insertion, Given),
     /// True under relations.
     HoldsGiven(Insertion, Given),
     /// Not proved: the open entries as printed and with all definitions inserted, which are different
@@ -156,7 +158,7 @@ impl Checker<'_> {
             return Ok(Decision::Holds(Insertion::default()));
         }
         let visible = self.visible_insertion(entries);
-        let functions = self.model.functions.as_ref();
+        let functions = self.functions();
         let remaining = insert(&open, &visible, functions)?;
         if remaining.iter().all(|e| e.left == e.right) {
             return Ok(Decision::Holds(visible));
@@ -165,11 +167,24 @@ impl Checker<'_> {
         let expanded = insert(&remaining.iter().collect::<Vec<_>>(), &all, functions)?;
         if expanded.iter().all(|e| e.left == e.right) {
             let open = remaining
-                .into_iter()
+                .iter()
                 .filter(|e| e.left != e.right)
+                .cloned()
                 .collect();
             let given = self.hidden_relations(open)?;
+            // A relation that is the claim is no hypothesis: the definitions make it true.
+            if is_the_claim(&given) {
+                return Ok(Decision::Holds(self.needed(&remaining)));
+            }
             return Ok(Decision::HoldsGiven(visible, given));
+        }
+        let different: Vec<ResidualEntry> = expanded
+            .iter()
+            .filter(|e| e.left != e.right)
+            .cloned()
+            .collect();
+        if let Some(given) = self.by_relations(&different) {
+            return Ok(Decision::Follows(self.needed(&remaining), given));
         }
         if let Some(given) = self.stated_relations(&open, equation)? {
             return Ok(Decision::HoldsGiven(Insertion::default(), given));
@@ -201,6 +216,12 @@ impl Checker<'_> {
         }
     }
 
+    /// The insertion of the definitions of the letters that occur in entries.
+    fn needed(&self, entries: &[ResidualEntry]) -> Insertion {
+        let letters = letters_of(entries.iter().flat_map(|e| [&e.left, &e.right]));
+        self.insertion(&letters.into_iter().collect::<Vec<_>>())
+    }
+
     /// The abbreviations whose definition is spelt in letters that the link uses.
     fn visible_insertion(&self, entries: &[ResidualEntry]) -> Insertion {
         let used = letters_of(entries.iter().flat_map(|e| [&e.left, &e.right]));
@@ -214,6 +235,16 @@ impl Checker<'_> {
             .collect();
         self.insertion(&visible)
     }
+}
+
+/// Whether the only relation is, but for a number, what is to be shown.
+pub(super) fn is_the_claim(given: &Given) -> bool {
+    let number = |c: &RationalFunction| c.as_constant().is_some();
+    given.relations.len() == 1
+        && given
+            .cofactors
+            .iter()
+            .all(|entry| entry.cofactors.iter().all(number))
 }
 
 /// The entries with definitions inserted.

@@ -384,7 +384,7 @@ impl Checker<'_> {
     fn table(&self) -> FunctionTable {
         let model = self.model;
         let ranges = || (0..model.letters.len()).map(|l| model.range_of(l));
-        match &model.functions {
+        match self.functions() {
             Some(table) => table.clone(),
             None => FunctionTable::new(model.ring, ranges().collect()),
         }

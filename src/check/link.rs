@@ -1,9 +1,8 @@
 //! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
 
 use super::challenge::is_decided_by_points;
-use super::identity::Decision;
+use super::identity::{Decision, Insertion};
 use super::{Checker, Told, index_tuples};
-use crate::domain::Domain;
 use crate::evaluate::{Failure, FailureKind};
 use crate::expr::{ExprKind, Relation};
 use crate::latex;
@@ -11,8 +10,6 @@ use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
 use crate::verdict::{CounterProof, Positivity, Refutation, Verdict};
-use num_traits::Signed;
-use ratpoly::RationalFunction;
 
 impl Checker<'_> {
     /// The verdict on one link, with what shows it.
@@ -37,6 +34,12 @@ impl Checker<'_> {
             Some(failure) => {
                 *positivity = None;
                 self.failed(&failure)
+            }
+            None if said && self.divides_by_relation() => {
+                *positivity = None;
+                Verdict::Undecided {
+                    reason: "a divisor vanishes under the hypotheses".into(),
+                }
             }
             None => verdict,
         }
@@ -77,8 +80,17 @@ impl Checker<'_> {
             self.bare(equation, link)
         } else if link.relation == Relation::Tends {
             self.tends(equation, link)
+        } else if self.is_circular(equation, l) {
+            Verdict::Undecided {
+                reason: "the claim is one of its hypotheses: nothing is left to show".into(),
+            }
         } else if link.relation != Relation::Equal {
-            let verdict = self.inequality(equation, link, positivity);
+            let verdict = match self.inequality(equation, link, positivity) {
+                Verdict::Refuted(refutation) => self
+                    .under_stated(equation, link, &refutation)
+                    .unwrap_or(Verdict::Refuted(refutation)),
+                verdict => verdict,
+            };
             self.second_opinion(equation, link, verdict)
         } else {
             let verdict = self.claim(equation, link);
@@ -188,14 +200,6 @@ impl Checker<'_> {
         order && plain(link.left) && plain(link.right)
     }
 
-    /// Whether a function of positive letters is negative by the signs of its coefficients.
-    pub(super) fn is_negative(&self, function: &RationalFunction) -> bool {
-        let letters = self.exact.field.letters(function);
-        letters.iter().all(|l| self.model.is_positive(*l))
-            && function.numerator().terms().all(|(_, c)| c.is_negative())
-            && function.denominator().terms().all(|(_, c)| c.is_positive())
-    }
-
     /// A bare expression such as `a_i, i = 1(1)4` says that these things exist.
     pub(super) fn bare(&mut self, equation: usize, link: &Link) -> Verdict {
         match self.sides(equation, link) {
@@ -244,6 +248,16 @@ impl Checker<'_> {
                 },
                 None => unverified(),
             },
+            Ok(Decision::Follows(by, given)) => {
+                let nothing = Insertion::default();
+                match self.proved(equation, link, &[], &nothing, Some(&given)) {
+                    Some(proof) => Verdict::Holds {
+                        by: by.labels,
+                        proof,
+                    },
+                    None => unverified(),
+                }
+            }
             Ok(Decision::HoldsGiven(by, given)) => {
                 match self.proved(equation, link, &[], &by, Some(&given)) {
                     Some(proof) => Verdict::HoldsGiven(Box::new(given), proof),
@@ -255,16 +269,19 @@ impl Checker<'_> {
                     Ok(refutation) => refutation,
                     Err(reason) => return Verdict::Undecided { reason },
                 };
-                match self.part(&entries) {
-                    // What it lacks is a hypothesis; an edit would be an invention.
-                    Some((part, witness)) => {
-                        let mut on_part = Refutation::at(witness);
-                        on_part.residual = std::mem::take(&mut refutation.residual);
-                        on_part.part = Some(part);
-                        Verdict::Refuted(on_part)
-                    }
-                    None => self.repaired(equation, link, refutation),
+                if let Some(verdict) = self.under_stated(equation, link, &refutation) {
+                    return verdict;
                 }
+                // What it lacks is a hypothesis; an edit would be an invention.
+                if let Some((part, witness)) = self.part(&entries) {
+                    let mut on_part = Refutation::at(witness);
+                    on_part.residual = std::mem::take(&mut refutation.residual);
+                    on_part.part = Some(part);
+                    return Verdict::Refuted(on_part);
+                }
+                let before = self.exact.display(equation).clone();
+                let verdict = self.repaired(equation, link, refutation);
+                self.or_side_relation(equation, link, &before, &entries, verdict)
             }
             Err(reason) => Verdict::Undecided { reason },
         }

@@ -25,6 +25,7 @@ mod recalled;
 mod relations;
 mod repair;
 mod scope;
+mod side_relation;
 mod sides;
 mod sizes;
 mod statement;
@@ -44,6 +45,7 @@ use crate::model::{Letter, Model, Node};
 use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
+use hypotheses::Supposed;
 use ratpoly::RationalFunction;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -81,6 +83,8 @@ pub struct Checker<'m> {
     /// Which of the model's instances is checked.
     pub(crate) instance: usize,
     options: Options,
+    /// What is supposed of the letters: by their declarations, and by hypotheses where these hold.
+    pub(crate) supposed: Supposed,
     /// For each letter that is an abbreviation, its value in the declared symbols.
     pub(crate) inserted: BTreeMap<usize, RationalFunction>,
     diagnostics: Vec<Diagnostic>,
@@ -174,7 +178,8 @@ impl<'m> Checker<'m> {
         instance: usize,
     ) -> Result<Self, Vec<Diagnostic>> {
         let exact = symbolic(model).in_instance(instance);
-        let mut checker = Checker::with(exact, options, BTreeMap::new());
+        let declared = Supposed::declared(model);
+        let mut checker = Checker::with(exact, options, BTreeMap::new(), declared);
         checker.insert_abbreviations();
         if checker.diagnostics.is_empty() {
             Ok(checker)
@@ -188,8 +193,10 @@ impl<'m> Checker<'m> {
         exact: Evaluator<'m, Symbolic>,
         options: Options,
         inserted: BTreeMap<usize, RationalFunction>,
+        supposed: Supposed,
     ) -> Self {
         Checker {
+            supposed,
             model: exact.model(),
             instance: exact.instance(),
             exact,
@@ -280,13 +287,18 @@ impl<'m> Checker<'m> {
             return self.settle_links(equation, None);
         }
         match self.under_hypotheses(equation) {
-            Err(reason) => self.settle_links(equation, Some(&reason)),
+            Err(unusable) => {
+                let reason = self.words_of(&unusable);
+                self.settle_links(equation, Some(&reason))
+            }
             Ok(hypotheses) => {
                 let free = std::mem::replace(&mut self.exact, hypotheses.exact);
                 let inserted = std::mem::replace(&mut self.inserted, hypotheses.inserted);
+                let declared = std::mem::replace(&mut self.supposed, hypotheses.supposed);
                 let outcomes = self.settle_links(equation, None);
                 let under = std::mem::replace(&mut self.exact, free);
                 self.inserted = inserted;
+                self.supposed = declared;
                 for (node, kind) in under.without_value() {
                     self.exact.has_no_value(*node, kind.clone());
                 }

@@ -23,7 +23,7 @@ impl Checker<'_> {
     /// The part on which a link holds that is false in general, with a point beside it where the
     /// sides differ; none where there is no such part.
     pub(super) fn part(&self, entries: &[ResidualEntry]) -> Option<(Part, Witness)> {
-        let table = self.model.functions.as_ref()?;
+        let table = self.functions()?;
         let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         let expanded = insert(&open, &all, Some(table)).ok()?;
@@ -33,7 +33,8 @@ impl Checker<'_> {
             .flat_map(|side| table.letters_behind(side))
             .collect();
         let mut roots: Vec<(usize, Polynomial)> = letters
-            .into_iter()
+            .iter()
+            .copied()
             .filter_map(|letter| match table.meaning(letter)? {
                 FunctionLetter::Root(square) => Some((letter, square_root_of(&square)?)),
                 _ => None,
@@ -67,11 +68,18 @@ impl Checker<'_> {
         let matters: Vec<usize> = (0..roots.len())
             .filter(|k| held.iter().any(|signs| !held.contains(&(signs ^ 1 << k))))
             .collect();
+        let points: Vec<Vec<BigRational>> = match self.supposed.in_force {
+            true => self
+                .admitted_points(&letters)
+                .map(|point| point.into_iter().map(Option::unwrap_or_default).collect())
+                .collect(),
+            false => self.points().collect(),
+        };
         let mut choices: Vec<Vec<SignCondition>> = Vec::new();
         for signs in held {
-            let reached = self.points().any(|point| {
+            let reached = points.iter().any(|point| {
                 matters.iter().all(|k| {
-                    let value = RationalFunction::from(roots[*k].1.clone()).evaluate(&point);
+                    let value = RationalFunction::from(roots[*k].1.clone()).evaluate(point);
                     value.is_ok_and(|v| {
                         if signs >> k & 1 == 0 {
                             v.is_positive()
@@ -96,7 +104,8 @@ impl Checker<'_> {
             return None;
         }
         let witness = expanded.iter().find_map(|entry| {
-            self.points()
+            points
+                .iter()
                 .find_map(|point| self.witness_at(entry, |letter, _| point[letter].clone()))
         })?;
         Some((Part::Signs(choices), witness))
@@ -124,7 +133,11 @@ impl Checker<'_> {
                         sizes[(k * (2 * letter + 1) + k / 11 * letter) % sizes.len()];
                     let size = BigRational::new(BigInt::from(above), BigInt::from(below));
                     let flipped = !self.model.is_positive(letter) && (k >> (letter % 7)) & 1 == 1;
-                    if flipped { -size } else { size }
+                    let value = if flipped { -size } else { size };
+                    match self.supposed.admitted.ranges.get(letter) {
+                        Some(range) if !range.contains(&value) => range.sample(k),
+                        _ => value,
+                    }
                 })
                 .collect()
         };

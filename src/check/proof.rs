@@ -54,7 +54,7 @@ impl Checker<'_> {
             .map(|e| (e, &[][..]))
             .chain(residual.map(|g| (&g.entry, &g.cofactors[..])))
             .collect();
-        let functions = self.model.functions.as_ref();
+        let functions = self.functions();
         let mut inserted = by.letters.clone();
         if let Some(table) = functions {
             let needed = pairs

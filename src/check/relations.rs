@@ -5,10 +5,9 @@
 //! lies in that ideal; dividing it by a Groebner basis gives the cofactors that show how.
 
 use super::Checker;
-use super::identity::letters_of;
+use super::identity::{is_the_claim, letters_of};
 use crate::expr::Relation;
 use crate::verdict::{Given, GivenEntry, ResidualEntry};
-use num_traits::Zero;
 use ratpoly::{Budget, Polynomial, RationalFunction};
 use std::collections::BTreeSet;
 
@@ -63,44 +62,50 @@ impl Checker<'_> {
         equation: usize,
     ) -> Result<Option<Given>, String> {
         let model = self.model;
-        let mut stated = Vec::new();
+        let mut stated: Vec<Polynomial> = Vec::new();
+        let mut divisors: Vec<Polynomial> = Vec::new();
         for hypothesis in &model.equations[equation].given {
             if hypothesis.relation != Relation::Equal {
-                continue;
+                return Ok(None);
             }
-            match self.exact.expression(&hypothesis.difference()) {
-                Ok(crate::evaluate::Value::Scalar(s)) if !s.is_zero() && self.can_vanish(&s) => {
+            let before = self.exact.conditions.len();
+            let value = self.exact.expression(&hypothesis.difference());
+            let met = self.exact.conditions.split_off(before);
+            divisors.extend(met.iter().map(|c| c.divisor.numerator().clone()));
+            match value {
+                Ok(crate::evaluate::Value::Scalar(s)) if !s.is_zero() => {
                     stated.push(s.numerator().clone());
                 }
-                _ => {}
+                _ => return Ok(None),
             }
         }
         if stated.is_empty() {
             return Ok(None);
         }
+        let hypotheses: Vec<_> = model.equations[equation].given.iter().collect();
+        // From what contradicts the document anything would follow.
+        if self.breaks_reference(&hypotheses) || self.suppose(&hypotheses).is_err() {
+            return Ok(None);
+        }
+        let entries: Vec<ResidualEntry> = open.iter().map(|e| (*e).clone()).collect();
         let budget = Budget::default();
-        let basis = ratpoly::Ideal::new(model.ring, stated)
+        let basis = ratpoly::Ideal::new(model.ring, stated.clone())
             .and_then(|ideal| ideal.groebner_basis(&budget))
             .map_err(|_| "the stated hypotheses are out of reach".to_string())?;
-        let entries = open.iter().map(|e| (*e).clone()).collect();
-        Ok(self
-            .divide(entries, basis.elements().to_vec(), &budget)
-            .ok())
-    }
-
-    /// Whether the document's own numbers, or where it gives none the signs of its letters, leave room
-    /// for a hypothesis: from one that they contradict anything would follow.
-    fn can_vanish(&self, difference: &RationalFunction) -> bool {
-        let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-        let Ok(inserted) = difference.substitute(&all.letters) else {
-            return false;
+        // Of several the basis has other elements than what is stated.
+        let by_basis = |checker: &Self| match stated.len() {
+            1 => checker
+                .divide(entries.clone(), basis.elements().to_vec(), &budget)
+                .ok(),
+            _ => None,
         };
-        let letters = letters_of([&inserted]);
-        if letters.iter().all(|l| self.has_reference(*l)) {
-            let value = inserted.evaluate(&self.reference_point());
-            return value.is_ok_and(|v| v.is_zero());
-        }
-        !self.is_negative(&inserted) && !self.is_negative(&-inserted)
+        let found = by_basis(self).or_else(|| {
+            let mut given = self.combination_of(&entries, &stated, &divisors)?;
+            let first = given.cofactors.first();
+            given.counterexample = first.and_then(|c| self.free_witness(&c.entry));
+            Some(given)
+        });
+        Ok(found.filter(|given| !is_the_claim(given)))
     }
 
     /// Writes each residual as a combination of the basis and keeps the elements that are used.
@@ -144,6 +149,8 @@ impl Checker<'_> {
             implied_by: Vec::new(),
             cofactors,
             counterexample,
+            stated: Vec::new(),
+            instance: None,
         })
     }
 }

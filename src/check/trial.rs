@@ -118,7 +118,8 @@ pub(crate) type Expanded = Vec<[Value<RationalFunction>; 2]>;
 impl<'m> Checker<'m> {
     /// A checker that has computed what this one has and spends what `options` say.
     pub(crate) fn twin(&self, options: Options) -> Self {
-        Checker::with(self.exact.twin(), options, self.inserted.clone())
+        let (inserted, supposed) = (self.inserted.clone(), self.supposed.clone());
+        Checker::with(self.exact.twin(), options, inserted, supposed)
     }
 
     /// A checker in which the hypotheses printed around an equation hold; none where there are none.
@@ -129,8 +130,13 @@ impl<'m> Checker<'m> {
         if self.model.equations[equation].assume.is_empty() {
             return None;
         }
-        let under = self.under_hypotheses(equation);
-        Some(under.map(|under| Checker::with(under.exact, self.options, under.inserted)))
+        Some(match self.under_hypotheses(equation) {
+            Ok(under) => {
+                let (inserted, supposed) = (under.inserted, under.supposed);
+                Ok(Checker::with(under.exact, self.options, inserted, supposed))
+            }
+            Err(unusable) => Err(self.words_of(&unusable)),
+        })
     }
 
     /// Puts a changed display in place of an equation's; `stale` are the nodes whose values depend
@@ -201,6 +207,8 @@ impl<'m> Checker<'m> {
             return Finding::Meaningless(nonsense);
         }
         match verdict {
+            // Under a relation that nothing states or implies it is false.
+            Verdict::HoldsGiven(given, _) if given.is_offered() => Finding::Refuted,
             Verdict::Holds { .. } | Verdict::HoldsGiven(..) => Finding::Accepted,
             Verdict::Definition { .. } => {
                 let equation = &self.model.equations[equation];
@@ -308,14 +316,14 @@ impl<'m> Checker<'m> {
             self.inserted.iter().map(|(l, v)| (*l, v.clone())).collect();
         value
             .try_map(|element| {
-                let used = match &self.model.functions {
+                let used = match self.functions() {
                     Some(table) => table.letters_behind(element),
                     None => super::identity::letters_of([element]),
                 };
                 if !letters.iter().any(|(letter, _)| used.contains(letter)) {
                     return Ok(element.clone());
                 }
-                match &self.model.functions {
+                match self.functions() {
                     Some(table) => table.substitute(element, &letters).ok(),
                     None => element.substitute(&letters).ok(),
                 }

@@ -40,7 +40,7 @@ impl Checker<'_> {
     /// else in them depends on x: a test function that is one around zero and narrow enough gives
     /// different numbers.
     fn different_multiples(&self, entry: &ResidualEntry) -> Option<CounterProof> {
-        let table = self.model.functions.as_ref()?;
+        let table = self.functions()?;
         let letters = [&entry.left, &entry.right].map(|side| table.letters_behind(side));
         let mut diracs =
             letters
@@ -112,7 +112,7 @@ impl Checker<'_> {
         if let Ok(entries) = entries {
             let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
             let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-            let functions = self.model.functions.as_ref();
+            let functions = self.functions();
             let expanded = super::identity::insert(&open, &all, functions).unwrap_or_default();
             let as_zero = self.refutation(&open, &expanded);
             witness = as_zero.and_then(|r| r.witness().cloned());
@@ -132,6 +132,9 @@ impl Checker<'_> {
             Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol].value.clone(),
             _ => None,
         };
+        if self.supposed.in_force {
+            return self.supposed_witness(entry);
+        }
         (0..TRIES).find_map(|k| {
             self.witness_at(entry, |letter, position| {
                 let small = || self.admissible_number(letter, position, k.max(1));
@@ -160,7 +163,19 @@ impl Checker<'_> {
 
     /// A point in the printed letters, abbreviations taken as free.
     pub(crate) fn free_witness(&self, entry: &ResidualEntry) -> Option<Witness> {
-        (1..=TRIES).find_map(|k| self.witness_at(entry, |_, position| small(position, k)))
+        (1..=TRIES).find_map(|k| {
+            self.witness_at(entry, |letter, position| {
+                self.admitted_value(letter, small(position, k), k)
+            })
+        })
+    }
+
+    /// A value that a letter may have: this one if it may.
+    fn admitted_value(&self, letter: usize, value: BigRational, number: u32) -> BigRational {
+        match self.supposed.admitted.ranges.get(letter) {
+            Some(range) if !range.contains(&value) => range.sample(number as usize),
+            _ => value,
+        }
     }
 
     /// Whether a letter stands for a function.
@@ -209,8 +224,8 @@ impl Checker<'_> {
                 Letter::Symbol { symbol, order: 0 } => self.model.symbols[symbol]
                     .value
                     .clone()
-                    .unwrap_or_else(|| small(letter, 1)),
-                _ => small(letter, 1),
+                    .unwrap_or_else(|| self.admitted_value(letter, small(letter, 1), 0)),
+                _ => self.admitted_value(letter, small(letter, 1), 0),
             })
             .collect();
         for (letter, value) in &self.inserted {
@@ -226,7 +241,7 @@ impl Checker<'_> {
         entry: &ResidualEntry,
         value: impl Fn(usize, usize) -> BigRational,
     ) -> Option<Witness> {
-        let letters = match &self.model.functions {
+        let letters = match self.functions() {
             Some(table) => [&entry.left, &entry.right]
                 .iter()
                 .flat_map(|side| table.letters_behind(side))
@@ -265,7 +280,7 @@ impl Checker<'_> {
         if let Some(value) = self.value_at(f, point) {
             return Some(PointValue::Exact(value));
         }
-        let table = self.model.functions.as_ref()?;
+        let table = self.functions()?;
         let enclosed = |f: &RationalFunction| match self.value_at(f, point) {
             Some(value) => Some(PointValue::Exact(value)),
             None => {
@@ -285,7 +300,11 @@ impl Checker<'_> {
 impl Checker<'_> {
     /// Raises the diagonals of matrices that are declared positive definite until they dominate their
     /// rows, so that the point is one where the hypotheses hold.
-    fn make_definite(&self, point: &mut [Option<BigRational>], shown: &mut [(usize, PointValue)]) {
+    pub(super) fn make_definite(
+        &self,
+        point: &mut [Option<BigRational>],
+        shown: &mut [(usize, PointValue)],
+    ) {
         let instance = &self.model.instances[self.instance];
         for matrix in &self.model.matrices {
             if !matrix.shape.positive_definite {
@@ -330,7 +349,7 @@ impl Checker<'_> {
         f: &RationalFunction,
         point: &[Option<BigRational>],
     ) -> Option<BigRational> {
-        match &self.model.functions {
+        match self.functions() {
             Some(table) => table.rational_value(f, point),
             None => {
                 let known = |v: &Option<BigRational>| v.clone().unwrap_or_else(BigRational::zero);

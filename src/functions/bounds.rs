@@ -25,7 +25,7 @@ impl FunctionTable {
     }
 
     /// Whether a letter stands for real numbers and nothing else.
-    pub(super) fn is_real_letter(&self, letter: usize) -> bool {
+    pub(crate) fn is_real_letter(&self, letter: usize) -> bool {
         if letter < self.first {
             return self.ranges[letter].numbers != Numbers::Complex;
         }
@@ -86,7 +86,7 @@ impl FunctionTable {
     }
 
     /// The numbers between which the values of a real letter lie.
-    pub(super) fn letter_range(&self, letter: usize) -> Range {
+    pub(crate) fn letter_range(&self, letter: usize) -> Range {
         if letter < self.first {
             return self.ranges[letter].clone();
         }

@@ -449,7 +449,6 @@ impl Builder {
         }
     }
 
-    /// `left = right` as the difference that vanishes.
     /// What a text supposes: the neighbours of each of its chains.
     fn hypotheses(&mut self, text: &document::Text, signature: &Signature) -> Vec<Hypothesis> {
         let result = latex::parse_display(&text.text, text.span.start, signature);
@@ -470,7 +469,16 @@ impl Builder {
                 }
             }
         }
-        let meant = |h: &Hypothesis| !matches!(h.relation, Relation::Distributed | Relation::Tends);
+        // What is only nearly so proves nothing.
+        let meant = |h: &Hypothesis| match h.relation {
+            Relation::Equal
+            | Relation::NotEqual
+            | Relation::Less
+            | Relation::LessEqual
+            | Relation::Greater
+            | Relation::GreaterEqual => true,
+            Relation::Distributed | Relation::Approximately | Relation::Tends => false,
+        };
         if found.is_empty() || !found.iter().all(meant) {
             self.error(
                 DiagnosticKind::Unexpected {

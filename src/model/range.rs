@@ -27,6 +27,40 @@ pub struct End {
     pub included: bool,
 }
 
+/// Simple numbers of either sign, from small to large; among them are legs of right triangles with
+/// hypotenuse one, so that s² + c² = 1 has points.
+const SAMPLES: [(i64, i64); 29] = [
+    (1, 1),
+    (2, 1),
+    (-1, 1),
+    (3, 1),
+    (1, 2),
+    (-2, 1),
+    (0, 1),
+    (3, 5),
+    (4, 5),
+    (-1, 2),
+    (5, 1),
+    (1, 3),
+    (-3, 5),
+    (3, 2),
+    (4, 1),
+    (5, 13),
+    (12, 13),
+    (-3, 1),
+    (7, 1),
+    (1, 10),
+    (-4, 5),
+    (8, 17),
+    (15, 17),
+    (10, 1),
+    (-5, 2),
+    (2, 3),
+    (1, 100),
+    (100, 1),
+    (-7, 3),
+];
+
 /// The values that a letter may have.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Range {
@@ -129,6 +163,89 @@ impl Range {
             })
     }
 
+    /// Whether no value is less than zero.
+    pub fn is_not_negative(&self) -> bool {
+        self.numbers != Numbers::Complex
+            && self
+                .low
+                .as_ref()
+                .is_some_and(|low| !low.value.is_negative())
+    }
+
+    /// The same values of an integer with ends that are integers and belong to it.
+    #[must_use]
+    pub fn tightened(&self) -> Range {
+        if self.numbers != Numbers::Integer {
+            return self.clone();
+        }
+        let one = BigRational::from_integer(1.into());
+        let end = |end: &Option<End>, up: bool| {
+            end.as_ref().map(|end| {
+                let mut value = match up {
+                    true => end.value.ceil(),
+                    false => end.value.floor(),
+                };
+                if value == end.value && !end.included {
+                    value = if up { value + &one } else { value - &one };
+                }
+                End {
+                    value,
+                    included: true,
+                }
+            })
+        };
+        Range {
+            numbers: Numbers::Integer,
+            low: end(&self.low, true),
+            high: end(&self.high, false),
+        }
+    }
+
+    /// The value, where there is one only.
+    pub fn single(&self) -> Option<&BigRational> {
+        match (&self.low, &self.high) {
+            (Some(low), Some(high)) if low.value == high.value && low.included && high.included => {
+                Some(&low.value)
+            }
+            _ => None,
+        }
+    }
+
+    /// A value that lies in the range, each number of a list of its own; the first ones are simple.
+    pub fn sample(&self, number: usize) -> BigRational {
+        let range = self.tightened();
+        let (above, below) = SAMPLES[number % SAMPLES.len()];
+        let sample = BigRational::new(above.into(), below.into());
+        let integer = range.numbers == Numbers::Integer;
+        let size = if integer {
+            BigRational::from_integer((number % SAMPLES.len()).into())
+        } else {
+            sample.abs() + BigRational::new(i64::from(above == 0).into(), 64.into())
+        };
+        match (&range.low, &range.high) {
+            (Some(low), _) if low.included && number % 7 == 6 => low.value.clone(),
+            (_, Some(high)) if high.included && number % 7 == 5 => high.value.clone(),
+            (Some(low), Some(high)) if integer => {
+                let width = &high.value - &low.value;
+                let steps = &width + BigRational::from_integer(1.into());
+                let whole = (&size / &steps).floor() * &steps;
+                &low.value + (size - whole)
+            }
+            // x/(1 + x) runs from 0 to 1.
+            (Some(low), Some(high)) => {
+                let part = &size / (&size + BigRational::from_integer(1.into()));
+                &low.value + (&high.value - &low.value) * part
+            }
+            (Some(low), None) => &low.value + size,
+            (None, Some(high)) => &high.value - size,
+            (None, None) if integer => match number % 2 {
+                0 => BigRational::from_integer((number / 2 % SAMPLES.len()).into()),
+                _ => -BigRational::from_integer((number / 2 % SAMPLES.len() + 1).into()),
+            },
+            (None, None) => sample,
+        }
+    }
+
     /// Whether no number is left: an end below the other, or one point that does not belong to it.
     pub fn is_empty(&self) -> bool {
         match (&self.low, &self.high) {
@@ -167,6 +284,34 @@ mod tests {
         assert!(!range.contains(&number(2)));
         range.raise(number(2), true);
         assert!(range.is_empty());
+    }
+
+    #[test]
+    fn samples_lie_in_the_range() {
+        let ends = |low: Option<(i64, bool)>, high: Option<(i64, bool)>, numbers| {
+            let mut range = Range {
+                numbers,
+                ..Range::default()
+            };
+            if let Some((low, included)) = low {
+                range.raise(number(low), included);
+            }
+            if let Some((high, included)) = high {
+                range.lower(number(high), included);
+            }
+            range
+        };
+        for numbers in [Numbers::Real, Numbers::Integer] {
+            for low in [None, Some((0, false)), Some((-3, true))] {
+                for high in [None, Some((2, false)), Some((5, true))] {
+                    let range = ends(low, high, numbers);
+                    for k in 0..200 {
+                        let sample = range.sample(k);
+                        assert!(range.contains(&sample), "{range:?} {k} {sample}");
+                    }
+                }
+            }
+        }
     }
 
     #[test]

@@ -402,6 +402,7 @@ impl Writer<'_> {
                         Because::Positive => "positive".to_string(),
                         Because::Definite(name) => format!("minor of the positive definite {name}"),
                         Because::Sign => "of one sign".to_string(),
+                        Because::Supposed => "by the hypotheses".to_string(),
                         Because::PositiveBy(by) => {
                             format!("positive with {}", crate::report::reason::labels(by))
                         }
@@ -450,6 +451,7 @@ impl Writer<'_> {
             .relations
             .iter()
             .map(|r| self.formulas.relation(r, Script::Latex))
+            .chain(given.stated.iter().cloned())
             .collect()
     }
 

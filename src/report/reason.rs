@@ -293,7 +293,9 @@ pub fn labels(labels: &[String]) -> String {
 /// `bd = ae, implied by (47)`.
 pub fn hypothesis(formulas: &Formulas, given: &Given) -> Prose {
     let line = relations(formulas, given);
-    if given.implied_by.is_empty() {
+    if !given.stated.is_empty() {
+        line.words(", as the document states")
+    } else if given.implied_by.is_empty() {
         line.words(", which nothing in the document implies")
     } else {
         line.words(format!(", implied by {}", labels(&given.implied_by)))
@@ -302,15 +304,14 @@ pub fn hypothesis(formulas: &Formulas, given: &Given) -> Prose {
 
 /// `bd = ae`, several with commas.
 pub fn relations(formulas: &Formulas, given: &Given) -> Prose {
-    Prose::joined(
-        given.relations.iter().map(|r| {
-            Prose::new().formula(
-                formulas.relation(r, Script::Latex),
-                formulas.relation(r, Script::Plain),
-            )
-        }),
-        ", ",
-    )
+    let relations = given.relations.iter().map(|r| {
+        Prose::new().formula(
+            formulas.relation(r, Script::Latex),
+            formulas.relation(r, Script::Plain),
+        )
+    });
+    let stated = given.stated.iter().map(|h| Prose::new().math(h.clone()));
+    Prose::joined(relations.chain(stated), ", ")
 }
 
 /// `lhs - rhs = cofactor (relation)`: equal to the residual by the certificate.

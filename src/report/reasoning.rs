@@ -385,6 +385,7 @@ pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Pr
                 crate::report::plain::plain(name)
             ),
             Some(Because::Sign) => " (zero for no values of the letters)".to_string(),
+            Some(Because::Supposed) => " (by the hypotheses)".to_string(),
             None => " (which nothing declared here ensures)".to_string(),
         })
     });

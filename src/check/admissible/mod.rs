@@ -44,12 +44,18 @@ pub(crate) struct Admissible {
     /// By matrix, all letters of its entries.
     matrices: Vec<Vec<usize>>,
     table: Option<FunctionTable>,
+    /// Whether hypotheses say more than the ranges: then no point here is known to be admissible.
+    in_force: bool,
 }
 
 impl Checker<'_> {
     /// Where the letters may be for the equation that is being settled.
     pub(crate) fn admissible(&self) -> Admissible {
-        Admissible::of(self.model, self.instance)
+        let mut admissible = Admissible::of(self.model, self.instance);
+        if self.supposed.in_force {
+            admissible.suppose(&self.supposed.admitted.ranges, self.functions().cloned());
+        }
+        admissible
     }
 }
 
@@ -85,6 +91,7 @@ impl Admissible {
             entries: Vec::new(),
             matrices: Vec::new(),
             table,
+            in_force: false,
         };
         for matrix in &model.matrices {
             let (order, _) = matrix.shape_in(&model.instances[instance]);
@@ -168,6 +175,18 @@ impl Admissible {
         self.entries.extend(entries);
     }
 
+    /// Narrows the ranges to those under hypotheses, which may say more.
+    fn suppose(&mut self, ranges: &[Range], table: Option<FunctionTable>) {
+        for (letter, range) in ranges.iter().enumerate() {
+            if !self.is_drawn(letter) {
+                self.ranges[letter] = faces::tightened(range);
+                self.reference[letter] = None;
+            }
+        }
+        self.table = table;
+        self.in_force = true;
+    }
+
     /// The range of a letter.
     pub(crate) fn range(&self, letter: usize) -> &Range {
         &self.ranges[letter]
@@ -202,7 +221,7 @@ impl Admissible {
         }
         match found {
             RegionSign::Changes { positive, negative } => {
-                if self.has_functions(f) {
+                if self.has_functions(f) || self.in_force {
                     return RegionSign::Undecided;
                 }
                 let points = [positive, negative].map(|p| self.back(p));

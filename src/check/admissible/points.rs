@@ -87,6 +87,7 @@ impl Admissible {
             .iter()
             .all(|l| self.ranges[*l].numbers != Numbers::Complex);
         let tries = match (possible, self.has_functions(f)) {
+            _ if self.in_force => 0,
             (true, false) => POINTS,
             (true, true) => ENCLOSED,
             (false, _) => 0,

@@ -4,6 +4,7 @@
 //! them is put together in their order, so that the number of threads changes nothing but the time.
 
 use super::work::Spent;
+use crate::check::hypotheses::Supposed;
 use crate::check::{Checker, Options};
 use crate::domain::Symbolic;
 use crate::evaluate::Evaluator;
@@ -25,6 +26,7 @@ pub(super) struct Seed<'m> {
     instance: usize,
     options: Options,
     inserted: BTreeMap<usize, RationalFunction>,
+    supposed: Supposed,
 }
 
 impl<'m> Seed<'m> {
@@ -38,6 +40,7 @@ impl<'m> Seed<'m> {
             instance: checker.instance,
             options: checker.options,
             inserted: checker.inserted.clone(),
+            supposed: checker.supposed.clone(),
         }
     }
 
@@ -49,7 +52,12 @@ impl<'m> Seed<'m> {
         for (equation, display) in &self.corrections {
             exact.correct(*equation, display.clone());
         }
-        Checker::with(exact, self.options, self.inserted.clone())
+        Checker::with(
+            exact,
+            self.options,
+            self.inserted.clone(),
+            self.supposed.clone(),
+        )
     }
 }
 
