@@ -148,11 +148,6 @@ pub enum DiagnosticKind {
         /// The clause as printed.
         clause: String,
     },
-    /// More equations in one display than are read.
-    TooManyClauses {
-        /// The limit.
-        limit: usize,
-    },
     /// A line that looks like the beginning of a fence and is none.
     NoFence {
         /// The line.
@@ -165,8 +160,8 @@ pub enum DiagnosticKind {
         /// What.
         what: &'static str,
         /// Its size in bytes.
-        bytes: usize,
-        /// The limit.
+        size: usize,
+        /// The limit, in bytes or in letters and signs.
         limit: usize,
     },
     /// An equation number, or a table of which there is one, used twice.

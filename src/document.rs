@@ -128,9 +128,9 @@ impl Document {
     /// Decodes a text; on failure every error of the document is in the list, by place.
     pub fn parse(name: &str, text: &str) -> Result<Document, Vec<Diagnostic>> {
         if text.len() > LARGEST_DOCUMENT {
-            let (bytes, limit) = (text.len(), LARGEST_DOCUMENT);
+            let (size, limit) = (text.len(), LARGEST_DOCUMENT);
             let what = "a document";
-            let kind = DiagnosticKind::TooLong { what, bytes, limit };
+            let kind = DiagnosticKind::TooLong { what, size, limit };
             return Err(vec![Diagnostic::new(kind, Span::default())]);
         }
         let scanned = markdown::scan(text);

@@ -16,6 +16,10 @@ const SHOWN_LIMIT: usize = 50;
 /// Longest stretch of a line around a place that is handed to the renderer.
 const LINE_LIMIT: usize = 2_000;
 
+/// Longest stretch between two places that is handed to the renderer; a second place farther away is
+/// left out.
+const EXCERPT_LIMIT: usize = 100_000;
+
 impl Rejection {
     /// The diagnostics in words, each with its file, line, column and excerpt. Colours are the
     /// escape sequences of a terminal: ask for them only when writing to one.
@@ -62,12 +66,15 @@ fn group<'a>(name: &'a str, text: &'a str, diagnostic: &Diagnostic, words: &Word
     let mut group = if text.is_empty() {
         title.element(Snippet::<Annotation<'_>>::source("").path(name))
     } else {
-        let excerpt = Excerpt::around(text, diagnostic.span, diagnostic.related);
-        let mut primary = AnnotationKind::Primary.span(excerpt.range(diagnostic.span));
+        let span = clipped(diagnostic.span);
+        let near = |related: &Span| related.to(span).end - related.to(span).start <= EXCERPT_LIMIT;
+        let related = diagnostic.related.map(clipped).filter(near);
+        let excerpt = Excerpt::around(text, span, related);
+        let mut primary = AnnotationKind::Primary.span(excerpt.range(span));
         if !words.label.is_empty() {
             primary = primary.label(line(&words.label));
         }
-        let related = diagnostic.related.map(|span| {
+        let related = related.map(|span| {
             AnnotationKind::Context
                 .span(excerpt.range(span))
                 .label(words.related)
@@ -84,6 +91,12 @@ fn group<'a>(name: &'a str, text: &'a str, diagnostic: &Diagnostic, words: &Word
         group = group.element(Level::HELP.message(line(&words.help)));
     }
     group
+}
+
+/// A place of which no more is shown than a reader takes in.
+fn clipped(span: Span) -> Span {
+    let end = span.end.max(span.start);
+    Span::new(span.start, end.min(span.start.saturating_add(LINE_LIMIT)))
 }
 
 /// The lines that a diagnostic needs, so that its cost does not grow with the document.

@@ -253,14 +253,10 @@ fn every_kind_has_words() {
         (
             DiagnosticKind::TooLong {
                 what: "a document",
-                bytes: 9,
+                size: 9,
                 limit: 8,
             },
             "a document of 9 bytes",
-        ),
-        (
-            DiagnosticKind::TooManyClauses { limit: 8 },
-            "more than 8 equations",
         ),
         (DiagnosticKind::EmptyDocument, "nothing to check"),
         (DiagnosticKind::NotUtf8, "not UTF-8"),

@@ -161,15 +161,10 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
             "would be passed over".into(),
             format!("begin the line with {expected}, not indented, after the fence before it is closed"),
         ),
-        DiagnosticKind::TooLong { what, bytes, limit } => (
-            format!("{what} of {bytes} bytes; at most {limit} are read"),
-            String::new(),
+        DiagnosticKind::TooLong { what, size, limit } => (
+            format!("{what} of {size} bytes is longer than is read"),
+            format!("at most {limit} letters and signs are"),
             "split it into several".into(),
-        ),
-        DiagnosticKind::TooManyClauses { limit } => (
-            format!("more than {limit} equations in one display"),
-            "from here on".into(),
-            "give them fences of their own".into(),
         ),
         DiagnosticKind::DuplicateLabel { label } => (
             format!("{} is used twice", quote(label)),

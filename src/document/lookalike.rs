@@ -6,9 +6,9 @@
 //! the format stand in a fence with more marks than theirs, and what is commented out in `<!-- -->`
 //! is meant to be.
 
-use super::LANGUAGES;
 use super::equation::ROLES;
 use super::markdown::Fence;
+use super::{LANGUAGES, TABLES};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::span::Span;
 
@@ -92,14 +92,16 @@ fn is_nearly_ours(info: &str) -> bool {
     let letters: String = first.chars().take_while(|c| c.is_alphabetic()).collect();
     let label = words.next();
     let role = words.next().map(str::to_lowercase);
-    let near =
-        LANGUAGES.iter().any(
-            |language| match strsim::damerau_levenshtein(&letters, language) {
+    let word = |rest: &str| TABLES.contains(&rest) || ROLES.contains(&rest);
+    let near = LANGUAGES.iter().any(|language| {
+        // A missing blank: `tomlsymbols`.
+        letters.strip_prefix(language).is_some_and(word)
+            || match strsim::damerau_levenshtein(&letters, language) {
                 0 => true,
                 1 => letters.len() > 3 || label.is_some(),
                 _ => false,
-            },
-        );
+            }
+    });
     near || role.is_some_and(|role| ROLES.contains(&role.as_str()))
 }
 

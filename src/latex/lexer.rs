@@ -10,6 +10,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::Bracket;
 use crate::span::Span;
 
+/// The most lexemes of one text: a tree takes some hundred bytes for each.
+const MOST_LEXEMES: usize = 150_000;
+
 /// The longest length after a line break, such as `[2pt]`, in characters.
 const LONGEST_SKIP: usize = 40;
 
@@ -176,6 +179,16 @@ impl Lexer<'_> {
     fn run(&mut self) {
         while let Some(c) = self.peek() {
             let start = self.at;
+            if self.lexemes.len() == MOST_LEXEMES {
+                let kind = DiagnosticKind::TooLong {
+                    what: "a display",
+                    size: self.text.len(),
+                    limit: MOST_LEXEMES,
+                };
+                self.at = self.text.len();
+                self.complain(kind, start);
+                return;
+            }
             if c.is_whitespace() || c == '%' {
                 self.skip_blanks();
                 self.spaced = true;

@@ -120,7 +120,7 @@ fn length_is_no_obstacle() {
     }
     let digits = "9".repeat(200_000);
     let wrong = parse_expr(&digits, 0, &signature).expect_err("a number of 200,000 digits");
-    assert!(matches!(wrong[0].kind, DiagnosticKind::BadNumber { .. }));
+    assert!(matches!(wrong[0].kind, DiagnosticKind::LongNumber { .. }));
 }
 
 #[test]

@@ -33,23 +33,28 @@ pub(super) struct Layout {
     pub end: Span,
 }
 
-/// The longest text of one display that is read, in bytes: a tree takes some hundred times as much.
-const LONGEST_DISPLAY: usize = 50_000;
-
 /// Lexes and lays out a text; `display` says whether it may carry an equation number.
 pub(super) fn prepare(text: &str, offset: usize, display: bool) -> Result<Layout, Vec<Diagnostic>> {
-    if text.len() > LONGEST_DISPLAY {
-        let kind = DiagnosticKind::TooLong {
-            what: "a display",
-            bytes: text.len(),
-            limit: LONGEST_DISPLAY,
-        };
-        let span = Span::new(offset, offset + text.len());
-        return Err(vec![Diagnostic::new(kind, span)]);
-    }
     let (lexemes, mut diagnostics) = lexer::lex(text, offset);
     let lexemes = join_broken_lines(lexemes);
+    let is_long = |d: &Diagnostic| matches!(d.kind, DiagnosticKind::TooLong { .. });
     let partner = match pair(&lexemes) {
+        Err(deep)
+            if matches!(
+                deep[..],
+                [Diagnostic {
+                    kind: DiagnosticKind::TooDeep { .. },
+                    ..
+                }]
+            ) =>
+        {
+            return Err(deep);
+        }
+        // The rest was not looked at, so that nothing can be said of what lacks a partner.
+        Ok(_) | Err(_) if diagnostics.iter().any(is_long) => {
+            diagnostics.retain(is_long);
+            return Err(diagnostics);
+        }
         Ok(partner) => partner,
         Err(unpaired) => {
             diagnostics.extend(unpaired);

@@ -9,9 +9,6 @@ use crate::latex::vocabulary::{self, Environment};
 use num_rational::BigRational;
 use num_traits::One;
 
-/// The most equations that are read in one display.
-const MOST_CLAUSES: usize = 500;
-
 impl Parser<'_> {
     /// All clauses of the display.
     pub(in crate::latex) fn display(&mut self) -> Parse<Vec<Clause>> {
@@ -37,18 +34,9 @@ impl Parser<'_> {
             if self.at_close() {
                 return Ok(());
             }
-            if clauses.len() >= MOST_CLAUSES {
-                let kind = DiagnosticKind::TooManyClauses {
-                    limit: MOST_CLAUSES,
-                };
-                return Err(self.error(kind, self.here()));
-            }
             let start = self.position;
             if let Err(diagnostic) = self.clause_or_group(clauses) {
-                if matches!(
-                    diagnostic.kind,
-                    DiagnosticKind::TooDeep { .. } | DiagnosticKind::TooManyClauses { .. }
-                ) {
+                if matches!(diagnostic.kind, DiagnosticKind::TooDeep { .. }) {
                     return Err(diagnostic);
                 }
                 self.diagnostics.push(*diagnostic);

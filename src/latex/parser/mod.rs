@@ -14,6 +14,9 @@ mod operator;
 mod script;
 mod slash;
 
+pub(super) use script::is_mark;
+pub(super) use slash::ends_divisor;
+
 use super::Reading;
 use super::layout::{DEPTH_LIMIT, Layout};
 use super::lexer::{Delimiter, Lexeme, Token};

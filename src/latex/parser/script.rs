@@ -231,7 +231,7 @@ impl Parser<'_> {
 
 /// Whether a whole superscript in brackets, as in `x^{(2)}`, may number what it stands at instead
 /// of raising it. On a number or an exponential it raises, and a fraction numbers nothing.
-fn is_mark(base: &Expr, exponent: &Expr) -> bool {
+pub(in crate::latex) fn is_mark(base: &Expr, exponent: &Expr) -> bool {
     let ExprKind::Group {
         bracket: Bracket::Round,
         inner,

@@ -63,8 +63,7 @@ impl Parser<'_> {
         let whole = bracketed_divisor(&numerator, &divisor, above, below);
         let rest = divisor.split_off(1);
         let first = &divisor[0];
-        let numbers = numerator.iter().all(is_number);
-        let closed = is_closed(first) && (numbers || !is_number(first));
+        let closed = ends_divisor(&product(numerator.clone(), above), first);
         let convention = !closed && gaps.is_empty();
         if convention {
             self.note_reading(&whole);
@@ -118,6 +117,12 @@ fn bracketed(inner: Expr) -> Expr {
     Expr::new(kind, span)
 }
 
+/// Whether a divisor may end with this factor although others follow: it shows where it ends, and a
+/// number does so below a number.
+pub(in crate::latex) fn ends_divisor(numerator: &Expr, first: &Expr) -> bool {
+    is_closed(first) && (is_number(numerator) || !is_number(first))
+}
+
 /// Whether a reader takes it for a number: digits, the circle's constant, a root or bracket of such.
 fn is_number(expr: &Expr) -> bool {
     match &expr.kind {
@@ -143,7 +148,11 @@ fn is_number(expr: &Expr) -> bool {
 /// Whether a divisor shows where it ends: a number, a bracket, a root, bars, a fraction.
 fn is_closed(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Group { .. } | ExprKind::Matrix { .. } => true,
+        ExprKind::Number(_)
+        | ExprKind::Group { .. }
+        | ExprKind::Sum(_)
+        | ExprKind::Tuple(_)
+        | ExprKind::Matrix { .. } => true,
         ExprKind::Call { function, .. } => {
             matches!(function, Function::SquareRoot | Function::Absolute)
         }

@@ -4,6 +4,7 @@ use super::Writer;
 use super::guard::{ends_in_bare_argument, ends_in_bare_d, final_name, is_bare_d, is_open_ended};
 use super::symbol::{canonical, enclose, function, number, push};
 use crate::expr::{Bracket, Expr, ExprKind, Font, Function, QuotientStyle, Sign};
+use crate::latex::parser::{ends_divisor, is_mark};
 use num_traits::Signed;
 
 impl Writer {
@@ -106,6 +107,7 @@ impl Writer {
                     style: QuotientStyle::Slash,
                     ..
                 } => None,
+                ExprKind::Product(factors) if below && ends_divisor(numerator, &factors[0]) => None,
                 ExprKind::Product(factors) => writer.product(factors, true),
                 _ => Some(writer.operand(expr)),
             }
@@ -319,7 +321,11 @@ impl Writer {
 
     pub(super) fn power(self, base: &Expr, exponent: &Expr) -> String {
         let script = self.inside().script();
-        let mut above = script.expression(exponent);
+        // A bracket around a whole exponent looks like a mark.
+        let mut above = match &exponent.kind {
+            ExprKind::Group { inner, .. } if is_mark(base, exponent) => script.expression(inner),
+            _ => script.expression(exponent),
+        };
         if matches!(
             above.trim_start_matches('-'),
             "T" | "t" | "\\mathrm{T}" | "\\mathrm{t}"
