@@ -45,7 +45,9 @@ fn a_counterexample_has_a_positive_definite_matrix_where_one_is_declared() {
         let found = witness.point.iter().find(|(letter, _)| {
             rederive::latex::canonical(&audit.model.letter_name(*letter)) == name
         });
-        found.map_or_else(BigRational::zero, |(_, v)| v.exact().expect("exact").clone())
+        found.map_or_else(BigRational::zero, |(_, v)| {
+            v.exact().expect("exact").clone()
+        })
     };
     let [a, b, c] = ["11", "12", "22"].map(|k| value(&format!("\\mathbf{{M}}_{{{k}}}")));
     assert!(a.is_positive() && !b.is_zero(), "{witness:?}");

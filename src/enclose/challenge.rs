@@ -29,7 +29,7 @@ impl Default for Budget {
             points: 4,
             tries: 10,
             bits: vec![128, 512, 2048],
-            work: 400_000,
+            work: 100_000,
         }
     }
 }

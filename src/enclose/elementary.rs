@@ -311,7 +311,7 @@ mod tests {
                     .re
                     .largest(64)
                     .magnitude()
-                    < Some(-90)
+                    < Some(-72)
             );
         }
     }

@@ -147,7 +147,7 @@ pub fn exponential(x: &Dyadic, bits: u32) -> Option<Interval> {
     let one = BigInt::one() << w;
     // Below and above the argument, so that the series is summed for a number that is not negative.
     let below = (&rest.units - &rest.error) >> halvings;
-    let spread = (BigInt::from(2) * &rest.error >> halvings) + 2;
+    let spread = ((BigInt::from(2) * &rest.error) >> halvings) + 2;
     let negative = below.is_negative();
     let t = below.abs();
     let mut term = t.clone();

@@ -20,7 +20,6 @@ pub(super) struct Spot {
     pub address: Address,
     pub id: Id,
     pub parent: Option<usize>,
-    pub step: usize,
     /// What stands directly below.
     pub children: Vec<usize>,
     /// What stands below: all after this one and before that.
@@ -102,16 +101,13 @@ impl<'r, 'm> Trial<'r, 'm> {
         let mut spot_at = HashMap::new();
         for place in [link.left, link.right] {
             for site in sites(display, place) {
-                let (step, parent) = match site.address.path.split_last() {
-                    Some((step, up)) => {
-                        let up = Address {
-                            place,
-                            path: up.to_vec(),
-                        };
-                        (*step, spot_at.get(&up).copied())
-                    }
-                    None => (0, None),
-                };
+                let parent = site.address.path.split_last().and_then(|(_, up)| {
+                    let up = Address {
+                        place,
+                        path: up.to_vec(),
+                    };
+                    spot_at.get(&up).copied()
+                });
                 let here = spots.len();
                 spot_at.insert(site.address.clone(), here);
                 let mut above = parent;
@@ -126,7 +122,6 @@ impl<'r, 'm> Trial<'r, 'm> {
                     id: store.node(site.expr),
                     address: site.address,
                     parent,
-                    step,
                     children: Vec::new(),
                     end: here + 1,
                     plain: matches!(

@@ -70,7 +70,67 @@ impl Checker<'_> {
             [FunctionLetter::Logarithm(p)] => moving(&p.clone().into()),
             _ => false,
         };
-        roots || single
+        roots || single || self.are_independent_powers(&meanings)
+    }
+
+    /// Whether these are exponentials of different monomials, each with a declared letter in it and at
+    /// most one logarithm of a declared letter beside, as a^w and b^w are: no product of their powers
+    /// is algebraic, so that none satisfies a relation (Ax, *On Schanuel's conjectures*, 1971).
+    fn are_independent_powers(&self, meanings: &[FunctionLetter]) -> bool {
+        let Some(table) = &self.model.functions else {
+            return false;
+        };
+        let logarithm_of_a_letter = |letter: usize| match table.meaning(letter) {
+            Some(FunctionLetter::Logarithm(p)) => p.len() == 1 && p.total_degree() == Some(1),
+            _ => false,
+        };
+        // The monomial of an exponent, with the letter whose logarithm it is multiplied with.
+        let exponent = |function: &FunctionLetter| match function {
+            FunctionLetter::Exponential(u) => Some((u.clone(), None)),
+            FunctionLetter::Power(base, u) => {
+                let base = RationalFunction::from(base.clone());
+                let letters: Vec<usize> = letters_of([&base]).into_iter().collect();
+                match letters[..] {
+                    [letter] if base == table.variable(letter) => Some((u.clone(), Some(letter))),
+                    _ => None,
+                }
+            }
+            FunctionLetter::Pi
+            | FunctionLetter::ImaginaryUnit
+            | FunctionLetter::Cosine(_)
+            | FunctionLetter::Sine(..)
+            | FunctionLetter::Root(_)
+            | FunctionLetter::Logarithm(_)
+            | FunctionLetter::Dirac(_)
+            | FunctionLetter::Bound { .. } => None,
+        };
+        let mut monomials: Vec<(Vec<u32>, Option<usize>)> = Vec::new();
+        for function in meanings {
+            let Some((u, base)) = exponent(function) else {
+                return false;
+            };
+            let mut terms = u.numerator().terms();
+            let (Some((monomial, _)), None) = (terms.next(), terms.next()) else {
+                return false;
+            };
+            let exponents = monomial.exponents().to_vec();
+            let occurring = || exponents.iter().enumerate().filter(|(_, e)| **e > 0);
+            let declared = |l: usize| table.meaning(l).is_none();
+            let logarithms: u32 = occurring()
+                .filter(|(l, _)| logarithm_of_a_letter(*l))
+                .map(|(_, e)| *e)
+                .sum();
+            let fits = u.denominator().is_constant()
+                && occurring().all(|(l, _)| declared(l) || logarithm_of_a_letter(l))
+                && occurring().any(|(l, _)| declared(l))
+                && logarithms + u32::from(base.is_some()) <= 1;
+            let key = (exponents, base);
+            if !fits || monomials.contains(&key) {
+                return false;
+            }
+            monomials.push(key);
+        }
+        !monomials.is_empty()
     }
 }
 
