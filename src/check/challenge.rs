@@ -195,7 +195,7 @@ impl<'m> Checker<'m> {
     pub(super) fn admits_a_point(&self, hypotheses: &[&Hypothesis]) -> Option<bool> {
         let world = self.world(None);
         let hypotheses = hypotheses.iter().copied();
-        match Points::new(&world, hypotheses).and_then(|mut points| points.next()) {
+        match Points::new(&world, hypotheses).and_then(|mut points| points.next_point()) {
             Ok(_) => Some(true),
             Err(crate::enclose::NoPoint::Contradictory(_)) => None,
             Err(crate::enclose::NoPoint::NoneFound { .. }) => Some(false),

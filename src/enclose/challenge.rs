@@ -92,7 +92,7 @@ fn at_points(
         if outcome.evaluated >= wanted || dear {
             break;
         }
-        let point = match points.next() {
+        let point = match points.next_point() {
             Ok(point) => point,
             Err(none) => {
                 outcome.no_point = Some(none);

@@ -125,7 +125,7 @@ impl Point {
     }
 
     /// The same, where equations between letters must be seen to be exactly true.
-    pub(super) fn to_be_verified(mut self) -> Self {
+    pub(super) fn verified_exactly(mut self) -> Self {
         self.verify = true;
         self
     }

@@ -92,7 +92,7 @@ impl<'w, 'm> Points<'w, 'm> {
     ///
     /// # Errors
     /// When no further one is found.
-    pub fn next(&mut self) -> Result<Point, NoPoint> {
+    pub fn next_point(&mut self) -> Result<Point, NoPoint> {
         with_deep_stack(|| self.following())
     }
 

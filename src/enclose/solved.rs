@@ -319,7 +319,7 @@ impl<'w, 'm> Solver<'w, 'm> {
                     };
                     let Some(mut solved) = solved else { continue };
                     if round > 0 {
-                        solved = solved.to_be_verified();
+                        solved = solved.verified_exactly();
                     }
                     let mut locked = locked.clone();
                     locked.extend(&used);

@@ -13,7 +13,7 @@
 //! an element is known to be real (`bounds`).
 //!
 //! Every relation that is used is true at every admitted point, so that what is equal in the letters is
-//! equal. Different normal forms show nothing unless [`FunctionTable::is_independent`].
+//! equal. Different normal forms show nothing by themselves.
 //!
 //! Invariants: an argument mentions only letters that were given out before; the table only grows, but for
 //! letters that are taken back once nothing uses them.

@@ -117,7 +117,7 @@ impl Range {
     /// A number of the range that is near to another: the number itself, its negative on every second
     /// try, or one between the ends.
     pub fn near(&self, number: &BigRational, attempt: u32) -> BigRational {
-        let flipped = if attempt % 2 == 0 {
+        let flipped = if attempt.is_multiple_of(2) {
             -number
         } else {
             number.clone()

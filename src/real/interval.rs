@@ -270,7 +270,7 @@ impl Interval {
         }
         let up = |x: &Dyadic| x.power(exponent, bits, Rounding::Up);
         let down = |x: &Dyadic| x.power(exponent, bits, Rounding::Down);
-        if exponent % 2 == 0 {
+        if exponent.is_multiple_of(2) {
             return Interval {
                 low: down(&self.smallest()),
                 high: up(&self.largest()),

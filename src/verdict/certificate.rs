@@ -35,7 +35,7 @@ impl From<&Polynomial> for Terms {
         };
         Terms(
             p.terms()
-                .map(|(monomial, coefficient)| (coefficient, powers(&monomial.exponents())))
+                .map(|(monomial, coefficient)| (coefficient, powers(monomial.exponents())))
                 .collect(),
         )
     }

@@ -792,7 +792,7 @@ fn points_are_the_same_each_time() {
         let mut points = Points::new(&world, []).unwrap();
         (0..12)
             .map(|_| {
-                let point = points.next().unwrap();
+                let point = points.next_point().unwrap();
                 match world.compare(0, &model.equations[0].links[0], &point, 128, 1000) {
                     Comparison::Apart(shown) => {
                         assert!(shown.is_rational());

@@ -396,7 +396,7 @@ fn numbers_are_numbers() {
             format!("y = {x}.5"),
             format!("y = {x}^{{({n})}}"),
             format!("y = {x}_1^{{(n)}}"),
-            format!("y = \\mathbf{{b}}_1^{{(k + 1)}}"),
+            "y = \\mathbf{b}_1^{(k + 1)}".to_string(),
             format!("y = \\frac.5{x}"),
         ] {
             assert!(is_ambiguous(&refused(&latex, &signature)), "{latex}");

@@ -573,7 +573,7 @@ fn dependence_and_comparison() {
             (format!("{a}^2"), "depends only on", on.clone(), true),
             (format!("{a}{b}"), "depends only on", on.clone(), false),
             (format!("{a}{b}"), "depends only on", both.clone(), true),
-            (format!("{a}"), "depends only on", both, false),
+            (a.to_string(), "depends only on", both, false),
             (format!("{a}^3"), "depends essentially on", on.clone(), true),
             (
                 format!("{b}^3"),

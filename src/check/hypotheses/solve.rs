@@ -215,10 +215,8 @@ impl<'m> Checker<'m> {
                     }
                 },
                 // What does not move has no rate.
-                None if constant && !rate.is_zero() => {
-                    if !supposed.consequences.contains(&rate) {
-                        supposed.consequences.push(rate);
-                    }
+                None if constant && !rate.is_zero() && !supposed.consequences.contains(&rate) => {
+                    supposed.consequences.push(rate);
                 }
                 None => {}
             }

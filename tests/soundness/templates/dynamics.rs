@@ -172,7 +172,7 @@ fn untimed(r: &mut Random, label: &str) -> Claim {
         1 => format!("\\dot{{{a}}} = {a}"),
         _ => format!("2\\dot{{{a}}} = \\dot{{{a}}}"),
     };
-    let header = format!("{TIME}");
+    let header = TIME.to_string();
     Claim::of(label, &latex, Truth::Meaningless).alone(&header)
 }
 

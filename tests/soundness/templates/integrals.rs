@@ -140,7 +140,7 @@ fn functions(r: &mut Random, label: &str) -> Claim {
             format!("\\int_0^{{2\\pi}} \\cos(x)\\cos({}x) dx", k + 1),
             "0".into(),
         ),
-        _ => (format!("\\int_0^1 \\sqrt{{x}} dx"), "\\frac{2}{3}".into()),
+        _ => ("\\int_0^1 \\sqrt{x} dx".to_string(), "\\frac{2}{3}".into()),
     };
     let right = if holds {
         right
@@ -211,7 +211,7 @@ fn divergent(r: &mut Random, label: &str) -> Claim {
         5 => format!("\\int_{{-1}}^{{1}} \\frac{{1}}{{x^{}}} dx", 2 * k),
         6 => format!("\\int_0^\\infty e^{{{k}x}} dx"),
         7 => "\\int_0^\\infty e^{xs} dx".into(),
-        8 => format!("\\int_0^2 \\frac{{1}}{{x - 1}} dx"),
+        8 => "\\int_0^2 \\frac{1}{x - 1} dx".to_string(),
         9 => "\\int_{-\\infty}^\\infty x dx".into(),
         _ => "\\int_0^\\infty \\frac{1}{a^2 - x^2} dx".into(),
     };

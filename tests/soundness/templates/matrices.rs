@@ -257,7 +257,7 @@ fn definite(r: &mut Random, label: &str) -> Claim {
         0 => ("a & 0 \\\\ 0 & b".to_string(), true),
         1 => ("a & x \\\\ x & b".to_string(), false),
         2 => (format!("x^2 + {k} & x \\\\ x & 1"), true),
-        3 => (format!("x^2 & x \\\\ x & 1"), false),
+        3 => ("x^2 & x \\\\ x & 1".to_string(), false),
         4 => (format!("a + b & -b \\\\ -b & b + {k}"), true),
         5 => ("a & a \\\\ a & a".to_string(), false),
         6 => (format!("-{k} & 0 \\\\ 0 & a"), false),

@@ -345,8 +345,8 @@ fn equals(r: &mut Random, label: &str) -> Claim {
             format!("{a}^2 + 2{a}{b} + {b}^2"),
             true,
         ),
-        1 => (format!("{k}{a}"), format!("{a}"), false),
-        2 => (format!("\\frac{{{a}{b}}}{{{b}}}"), format!("{a}"), true),
+        1 => (format!("{k}{a}"), a.to_string(), false),
+        2 => (format!("\\frac{{{a}{b}}}{{{b}}}"), a.to_string(), true),
         _ => (format!("{a} + {b}"), format!("{a} - {b}"), false),
     };
     about(label, &q, "equals", &format!("to = '{to}'"), word(holds))
@@ -460,8 +460,8 @@ fn relations(r: &mut Random, label: &str) -> Claim {
         3 => (format!("2{x}z - {y}^2 + z^2 \\ge 0"), false),
         4 => (format!("{x}^2 + {y}^2 - 2{x}{y} \\ge 0"), true),
         5 => (format!("{x}^2 + {y}^2 - 3{x}{y} \\ge 0"), false),
-        6 => (format!("a + b > 0"), true),
-        7 => (format!("a - b > 0"), false),
+        6 => ("a + b > 0".to_string(), true),
+        7 => ("a - b > 0".to_string(), false),
         8 => (format!("{x} > 0"), false),
         9 => (format!("{x} \\ne {y}"), false),
         10 => (format!("{x}^2 + {k} \\ne 0"), true),
