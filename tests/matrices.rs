@@ -410,7 +410,7 @@ fn definiteness_and_stability_are_decided() {
     );
     is(
         matrix(r"a + b & b \\ -b & b") + r" > \mathbf{0}",
-        VerdictWord::Refuted,
+        VerdictWord::Undecided,
     );
     is(r"\mathbf{M} > \mathbf{0}".into(), VerdictWord::Holds);
     is(
@@ -461,8 +461,8 @@ fn hypotheses_reach_what_is_solved_and_differentiated() {
     assert_eq!(word("\"d = 0\""), VerdictWord::Refuted);
     assert_eq!(word("\"u = d\\\\dot{x}\""), VerdictWord::Holds);
     assert_eq!(word("\"u = -d\\\\dot{x}\""), VerdictWord::Refuted);
-    // Not linear in any letter: nothing is concluded from it.
-    assert_eq!(word("\"d^2 = 0\", \"u^2 = 0\""), VerdictWord::Undecided);
+    // Of a real number, that its square vanishes says that it does.
+    assert_eq!(word("\"d^2 = 0\", \"u^2 = 0\""), VerdictWord::Holds);
 }
 
 #[test]

@@ -462,9 +462,9 @@ impl FunctionTable {
                     .unwrap_or_else(|| Polynomial::zero(self.ring))
                     .into()
             };
-            // What the spectrum tends to is white: a distribution in the frequency, where that may
-            // vanish. At a frequency that does not, the oscillation goes on for ever.
-            if !self.distributions || self.sign(frequency).is_some() {
+            // What the spectrum tends to is white: a distribution in the frequency. At a number the
+            // oscillation goes on for ever.
+            if !self.distributions || frequency.as_constant().is_some() {
                 return Err(Impossible::divergent(
                     "the integrand oscillates without end",
                 ));
