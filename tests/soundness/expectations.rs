@@ -90,6 +90,8 @@ fn what_moments_do_not_give_is_undecided() {
         let argument = arguments[draw.below(6)];
         let bracketed = match argument.len() > 1 && !argument.starts_with('(') {
             true if function.contains("X^") || function.ends_with(" X") => format!("({argument})"),
+            // An exponent in brackets is another thing.
+            _ if function.ends_with("^{X}") => argument.trim_matches(['(', ')']).to_string(),
             _ => argument.to_string(),
         };
         let body = format!(
