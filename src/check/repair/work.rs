@@ -5,12 +5,14 @@
 //! not what is computed once for all of them, so that the count is the same on any number of threads.
 
 use crate::evaluate::Value;
-use crate::expr::Expr;
+use crate::expr::{Expr, ExprKind};
 use crate::model::links::visit;
 use ratpoly::RationalFunction;
 
 /// Steps for each node of an expression that the evaluator computes.
 const EVALUATED: u64 = 8;
+/// How many nodes a function counts as.
+const FUNCTION: u64 = 400;
 
 /// Steps for each term of an exact value.
 const TERM: u64 = 40;
@@ -55,8 +57,17 @@ pub(super) fn size(expr: &Expr) -> u64 {
 }
 
 /// What the evaluator spends on an expression.
+///
+/// A function is dear: its argument is factored, and its letters are sought.
 pub(super) fn evaluated(expr: &Expr) -> u64 {
-    EVALUATED * size(expr)
+    let mut functions = 0;
+    visit(expr, &mut |e| {
+        functions += u64::from(matches!(
+            e.kind,
+            ExprKind::Call { .. } | ExprKind::Integral { .. }
+        ));
+    });
+    EVALUATED * (size(expr) + FUNCTION * functions)
 }
 
 /// What one operation with such a result and so many operands costs: a product of matrices is dear.
