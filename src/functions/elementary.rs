@@ -14,6 +14,10 @@ use ratpoly::{Budget, Polynomial, RationalFunction};
 
 /// The largest multiple of an angle and the largest power of a letter that are worked out.
 pub(super) const LARGEST_MULTIPLE: i64 = 64;
+
+/// Terms, bits and steps that the factorisation of one argument may take: a search for a correction
+/// asks for thousands, and what a paper prints needs a hundredth of it.
+const FACTORED: (usize, u64, u64) = (20_000, 20_000, 20_000_000);
 /// The largest prime that is looked for in an integer under a root.
 const LARGEST_PRIME: u64 = 100_000;
 
@@ -224,13 +228,14 @@ impl FunctionTable {
             self.replace_by_finer(letter, fine, times);
             return Ok((n, finer));
         }
-        // The sign that is met first stays with the argument: e^{-at} is the letter.
+        // The sign that is met first stays with the argument: e^{-at} is the letter. So does a number
+        // too large for a power: in cos 1000t the angle is 1000t, and only cos t beside it is too much.
         let n = term.number.numer().clone();
         let magnitude = n
             .abs()
             .to_i64()
             .filter(|n| *n <= LARGEST_MULTIPLE)
-            .ok_or_else(|| Impossible::unsupported("so large a multiple"))?;
+            .unwrap_or(1);
         let unit = &term.number / BigRational::from_integer(magnitude.into());
         Ok((magnitude, &self.constant(unit) * &term.atom))
     }
@@ -244,7 +249,7 @@ impl FunctionTable {
 
     /// The factors of numerator and denominator together, with their multiplicities.
     pub(super) fn split(&self, f: &RationalFunction) -> Possible<Split> {
-        let budget = Budget::default();
+        let budget = Budget::new(FACTORED.0, FACTORED.1, FACTORED.2);
         let above = f.numerator().factor_within(&budget)?;
         let below = f.denominator().factor_within(&budget)?;
         let mut factors: Vec<(Polynomial, i64)> = Vec::new();

@@ -3,7 +3,7 @@
 
 use super::dependence::LinkAt;
 use super::rewritings::is_scalar;
-use crate::expr::{Display, Expr, ExprKind, Name, Relation};
+use crate::expr::{Bracket, Display, Expr, ExprKind, Name, QuotientStyle, Relation};
 use crate::latex;
 use crate::model::links::{children, children_mut, each_expression};
 use crate::model::{Letter, Model};
@@ -135,6 +135,15 @@ fn replaced(expr: &mut Expr, what: &ExprKind, by: &Expr) {
         expr.kind = by.kind.clone();
         return;
     }
+    if let ExprKind::Power { base, .. } = &mut expr.kind
+        && base.kind == *what
+        && matches!(by.kind, ExprKind::Quotient { .. })
+    {
+        base.kind = ExprKind::Group {
+            bracket: Bracket::Round,
+            inner: Box::new(by.clone()),
+        };
+    }
     for child in children_mut(expr) {
         replaced(child, what, by);
     }
@@ -181,7 +190,7 @@ pub(super) fn renamed(model: &Model, (e, l): LinkAt) -> Vec<(Display, Anew)> {
     made.collect()
 }
 
-/// The claim with a letter in another unit: a thousand times what it was measured in.
+/// The claim with a letter in another unit: a thousandth of what it was measured in.
 pub(super) fn scaled(model: &Model, (e, l): LinkAt) -> Vec<(Display, Anew)> {
     let display = &model.equations[e].display;
     let (Some(name), Some(label), Some(like)) = (fresh(model), label(model), somewhere(display))
@@ -192,16 +201,17 @@ pub(super) fn scaled(model: &Model, (e, l): LinkAt) -> Vec<(Display, Anew)> {
     let letters = letters(model, e);
     let made = letters.iter().filter_map(|letter| {
         let old = latex::canonical(letter);
+        // A fraction stays one factor and one argument without a bracket, which a letter before it
+        // could take for the bracket of its argument.
         let number = ExprKind::Number(BigRational::from_integer(SCALE.into()));
-        let multiple = ExprKind::Product(vec![Expr::new(number, like.span), name_of(name, like)]);
-        // In brackets, so that it stays one factor, base or argument.
-        let multiple = ExprKind::Group {
-            bracket: crate::expr::Bracket::Round,
-            inner: Box::new(Expr::new(multiple, like.span)),
+        let part = ExprKind::Quotient {
+            numerator: Box::new(name_of(name, like)),
+            denominator: Box::new(Expr::new(number, like.span)),
+            style: QuotientStyle::Bar,
         };
-        let by = Expr::new(multiple, like.span);
+        let by = Expr::new(part, like.span);
         let new = replace_in(display, &ExprKind::Name(letter.clone()), &by);
-        let fence = format!("```math {label} define\n{name} = \\frac{{{old}}}{{{SCALE}}}\n```\n");
+        let fence = format!("```math {label} define\n{name} = {SCALE} {old}\n```\n");
         let anew = Anew::of(model, e, &new, &fence, link..=link)?;
         Some((new, anew))
     });

@@ -391,7 +391,15 @@ fn whole(model: &Model, (e, l): LinkAt, push: Push<'_>) {
         let chain = &mut display.clauses[clause].chain;
         chain.members = members.to_vec();
         chain.relations = vec![relation];
-        push(rewriting, display, None);
+        // A link keeps the relation that its document gave it: with another one it is read anew.
+        let anew = match relation == link.relation {
+            true => None,
+            false => match Anew::of(model, e, &display, "", l + 1..=l + 1) {
+                Some(anew) => Some(anew),
+                None => return,
+            },
+        };
+        push(rewriting, display, anew);
     };
     let span = chain.span;
     put(Rewriting::Commute, [right.clone(), left.clone()], back);

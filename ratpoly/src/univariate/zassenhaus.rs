@@ -127,8 +127,8 @@ fn recombine(
         let mut chosen: Vec<usize> = (0..size).collect();
         loop {
             budget.spend(1 + size as u64)?;
-            if let Some((divisor, quotient)) = try_product(&f, &lifted, &chosen, &modulus, degrees)
-            {
+            let tried = try_product(&f, &lifted, &chosen, &modulus, degrees, budget)?;
+            if let Some((divisor, quotient)) = tried {
                 factors.push(divisor);
                 f = quotient;
                 for &i in chosen.iter().rev() {
@@ -155,10 +155,11 @@ fn try_product(
     chosen: &[usize],
     modulus: &BigInt,
     degrees: &Degrees,
-) -> Option<(Vec<BigInt>, Vec<BigInt>)> {
+    budget: &Budget,
+) -> Result<Option<(Vec<BigInt>, Vec<BigInt>)>, Error> {
     let degree: usize = chosen.iter().map(|&i| lifted[i].len() - 1).sum();
     if !degrees[degree] {
-        return None;
+        return Ok(None);
     }
     let leading = f.last().expect("not zero");
     // The constant terms decide nearly always.
@@ -167,8 +168,11 @@ fn try_product(
     });
     let constant = symmetric_residue(&constant, modulus);
     if constant.is_zero() || !(leading * &f[0]).is_multiple_of(&constant) {
-        return None;
+        return Ok(None);
     }
+    // The product and the division are quadratic in the degree, in words of the modulus.
+    let words = 1 + modulus.bits() / 64;
+    budget.spend((f.len() * f.len()) as u64 * words)?;
     let product = chosen.iter().fold(vec![leading.clone()], |product, &i| {
         integer::mul(&product, &lifted[i])
             .iter()
@@ -180,9 +184,11 @@ fn try_product(
         .map(|c| symmetric_residue(c, modulus))
         .collect();
     let candidate = integer::primitive_part(&candidate);
-    let quotient = integer::div_exact(f, &candidate)?;
+    let Some(quotient) = integer::div_exact(f, &candidate) else {
+        return Ok(None);
+    };
     debug_assert!(quotient.last().is_some_and(Signed::is_positive));
-    Some((candidate, quotient))
+    Ok(Some((candidate, quotient)))
 }
 
 /// The next combination of numbers below n in lexicographic order; `false` after the last one.
