@@ -98,6 +98,9 @@ impl<'m> Checker<'m> {
             Decision::Refuted(refutation) => {
                 // A second route that knows values elsewhere must find those of this point apart.
                 let own = match (&found.apart, refutation.witness()) {
+                    (_, Some(w)) if w.point.iter().any(|(l, _)| self.is_no_choice(*l)) => {
+                        Some(false)
+                    }
                     (None, Some(witness)) if found.evaluated > 0 => {
                         self.is_apart_at(equation, link, witness)
                     }
@@ -133,7 +136,7 @@ impl<'m> Checker<'m> {
         let Some(witness) = refutation.witness() else {
             return Ok(refutation);
         };
-        let free = witness.point.iter().all(|(l, _)| !self.is_function(*l));
+        let free = witness.point.iter().all(|(l, _)| !self.is_no_choice(*l));
         let own = match free {
             true => self.is_apart_at(equation, link, witness),
             false => Some(false),

@@ -17,7 +17,7 @@ use crate::latex;
 use crate::matrix::Matrix;
 use crate::model::links::Link;
 use crate::model::matrices::MatrixSymbol;
-use crate::model::{Letter, Node};
+use crate::model::{EIGENVALUES, Letter, Node};
 use crate::theory::{characteristic, determinant, hurwitz};
 use crate::verdict::certificate::{Fraction, Ordered, Steps};
 use crate::verdict::{
@@ -657,7 +657,7 @@ fn stability(expr: &Expr) -> Option<&Expr> {
     else {
         return None;
     };
-    let is_lambda = |base: &str| base == "\\lambda";
+    let is_lambda = |base: &str| base == EIGENVALUES;
     match &ungrouped(argument).kind {
         ExprKind::Apply {
             function,

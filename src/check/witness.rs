@@ -183,6 +183,15 @@ impl Checker<'_> {
         matches!(self.model.letters[letter], Letter::Function { .. })
     }
 
+    /// Whether no point may choose the value of a letter: that of a function, or an eigenvalue of what
+    /// the document defines.
+    pub(super) fn is_no_choice(&self, letter: usize) -> bool {
+        match self.model.letters[letter] {
+            Letter::Symbol { symbol, .. } => self.model.is_spectrum(symbol),
+            _ => self.is_function(letter),
+        }
+    }
+
     /// Whether a letter is a declared symbol with a reference value.
     pub(crate) fn has_reference(&self, letter: usize) -> bool {
         match self.model.letters[letter] {

@@ -135,6 +135,10 @@ impl Evaluator<'_, '_> {
 
     /// The value of a symbol or of its time derivative of an order.
     pub(super) fn letter(&mut self, symbol: usize, order: u8, span: Span) -> Result<Jet> {
+        if self.world.model.is_spectrum(symbol) {
+            let what = "an eigenvalue outside of Re λ(A) compared with a number";
+            return Err(Reason::Unsupported(what).at(span));
+        }
         if order > 0 {
             if let Some(value) = self.by_motion(symbol, order, span)? {
                 return Ok(value);

@@ -10,6 +10,7 @@ use super::failure::Reason;
 use super::jet::Jet;
 use crate::expr::{Expr, ExprKind, Function, Relation};
 use crate::matrix::Matrix;
+use crate::model::EIGENVALUES;
 
 /// A claim about all eigenvalues of a matrix.
 pub(super) struct Stability<'e> {
@@ -99,7 +100,7 @@ fn eigenvalues(expr: &Expr) -> Option<&Expr> {
     else {
         return None;
     };
-    let is_lambda = |base: &str| base == "\\lambda";
+    let is_lambda = |base: &str| base == EIGENVALUES;
     match &ungrouped(argument).kind {
         ExprKind::Apply {
             function,

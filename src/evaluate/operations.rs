@@ -8,6 +8,7 @@ use crate::domain::Domain;
 use crate::expr::{Expr, ExprKind, Function, Sign};
 use crate::span::Span;
 use crate::theory::{arithmetic, determinant};
+use std::collections::BTreeSet;
 
 impl<D: Domain> Evaluator<'_, D> {
     pub(super) fn sum(
@@ -15,19 +16,36 @@ impl<D: Domain> Evaluator<'_, D> {
         terms: &[(Sign, Expr)],
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
-        let mut sum: Option<Value<D::Element>> = None;
-        for (sign, term) in terms {
-            let mut value = self.expression(term)?;
-            // A block of zeros of any shape, as in `[0; g] w`, has as many rows as the sum needs.
-            if let (Some(Value::Matrix(s)), Value::Matrix(m)) = (&sum, &value)
-                && s.rows() != m.rows()
-                && s.columns() == m.columns()
-            {
-                self.wanted_rows = Some(s.rows());
-                let fitted = self.expression(term);
-                self.wanted_rows = None;
-                value = fitted?;
+        let mut values = Vec::with_capacity(terms.len());
+        for (_, term) in terms {
+            values.push(self.expression(term)?);
+        }
+        // A block of zeros of any shape, as in `[0; g] w`, has as many rows as the sum needs: those of
+        // the other terms, wherever it stands among them.
+        let rows = |value: &Value<D::Element>| match value {
+            Value::Matrix(m) => Some(m.rows()),
+            Value::Scalar(_) | Value::Zero => None,
+        };
+        let heights: BTreeSet<usize> = values.iter().filter_map(rows).collect();
+        if heights.len() > 1 {
+            for height in heights {
+                let mut fitted = values.clone();
+                for (value, (_, term)) in fitted.iter_mut().zip(terms) {
+                    if rows(value).is_some_and(|r| r != height) {
+                        self.wanted_rows = Some(height);
+                        let other = self.expression(term);
+                        self.wanted_rows = None;
+                        *value = other?;
+                    }
+                }
+                if fitted.iter().filter_map(rows).all(|r| r == height) {
+                    values = fitted;
+                    break;
+                }
             }
+        }
+        let mut sum: Option<Value<D::Element>> = None;
+        for (value, (sign, term)) in values.into_iter().zip(terms) {
             sum = Some(match (sum, sign) {
                 (None, Sign::Plus) => value,
                 (None, Sign::Minus) => value::negate(&self.field, &value),

@@ -22,6 +22,7 @@ use crate::latex::{Reading, Signature};
 use crate::span::Span;
 use links::{Link, Place};
 use matrices::MatrixSymbol;
+pub(crate) use names::EIGENVALUES;
 use names::Names;
 use num_rational::BigRational;
 use range::Range;

@@ -156,7 +156,20 @@ pub fn split_digits(indices: &[i64], expected: usize) -> Option<Vec<i64>> {
     }
 }
 
+/// The letter of eigenvalues: `Re λ(A) < 0` is the sentence that A is asymptotically stable.
+pub(crate) const EIGENVALUES: &str = "\\lambda";
+
 impl Model {
+    /// Whether a symbol is the spectrum of something that the document defines, as `\lambda` declared
+    /// as a function of A: its values are those of A, and no point may choose them.
+    pub(crate) fn is_spectrum(&self, symbol: usize) -> bool {
+        let declared = &self.symbols[symbol];
+        let of = declared.function_of.as_ref();
+        declared.name.letter.base == EIGENVALUES
+            && of
+                .is_some_and(|of| matches!(self.resolve(of, &|_| false), Ok(Resolved::Node { .. })))
+    }
+
     /// Reads a name where the indices in `bound` have values.
     ///
     /// # Errors
