@@ -106,6 +106,26 @@ struct Document {
     sha256: String,
     numbered: usize,
     covered: usize,
+    links: Links,
+    readings: Vec<ReadingText>,
+}
+
+/// What became of the links of a document.
+#[derive(Debug, Serialize)]
+struct Links {
+    checked: usize,
+    defined: usize,
+    recalled: usize,
+    undecided: usize,
+    not_read: usize,
+}
+
+/// How something was read where the print leaves a choice.
+#[derive(Debug, Serialize)]
+struct ReadingText {
+    equation: String,
+    printed: String,
+    read: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -311,6 +331,8 @@ pub fn verdicts(inspections: &[Inspection]) -> Verdicts {
             sha256: sha256(&document.text),
             numbered: coverage.announced.len(),
             covered: coverage.covered(),
+            links: links(audit),
+            readings: readings(audit),
         });
         verdicts
             .units
@@ -568,4 +590,27 @@ fn point_value(value: &PointValue) -> String {
             format!("{} + i*{}", point_value(&parts[0]), point_value(&parts[1]))
         }
     }
+}
+
+fn links(audit: &Audit) -> Links {
+    let counts = audit.counts();
+    Links {
+        checked: counts.checked,
+        defined: counts.defined,
+        recalled: counts.recalled,
+        undecided: counts.undecided,
+        not_read: counts.not_read,
+    }
+}
+
+fn readings(audit: &Audit) -> Vec<ReadingText> {
+    let equations = audit.model.equations.iter();
+    let readings = equations.flat_map(|e| e.readings.iter().map(move |r| (&e.label, r)));
+    readings
+        .map(|(label, reading)| ReadingText {
+            equation: label.clone(),
+            printed: audit.model.document.text[reading.span.start..reading.span.end].to_string(),
+            read: reading.latex.clone(),
+        })
+        .collect()
 }

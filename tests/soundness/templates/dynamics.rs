@@ -167,13 +167,18 @@ fn processes(r: &mut Random, label: &str) -> Claim {
 /// Nothing says how a constant depends on the time, or that it does.
 fn untimed(r: &mut Random, label: &str) -> Claim {
     let a = r.pick(&["a", "b", "x", "k"]);
-    let latex = match r.below(3) {
-        0 => format!("\\dot{{{a}}} = 0"),
-        1 => format!("\\dot{{{a}}} = {a}"),
-        _ => format!("2\\dot{{{a}}} = \\dot{{{a}}}"),
+    let (latex, timed) = match r.below(3) {
+        0 => (format!("\\dot{{{a}}} = 0"), Truth::True),
+        1 => (format!("\\dot{{{a}}} = {a}"), Truth::False),
+        _ => (format!("2\\dot{{{a}}} = \\dot{{{a}}}"), Truth::True),
     };
-    let header = TIME.to_string();
-    Claim::of(label, &latex, Truth::Meaningless).alone(&header)
+    // Where the document has a time, what is declared to be no function of it stands still.
+    if r.below(4) == 0 {
+        return Claim::of(label, &latex, timed).alone(TIME);
+    }
+    let of_time = |line: &&str| !line.starts_with("t =") && !line.contains("function_of");
+    let header: Vec<&str> = TIME.lines().filter(of_time).collect();
+    Claim::of(label, &latex, Truth::Meaningless).alone(&(header.join("\n") + "\n"))
 }
 
 fn primes(r: &mut Random, label: &str) -> Claim {

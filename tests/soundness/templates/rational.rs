@@ -232,7 +232,7 @@ pub fn table(r: &mut Random) -> (Term, Term) {
             a / b,
         ),
         12 => (
-            (a.clone() - b.clone()) * (b.clone() - c.clone()) * (c.clone() - a.clone()),
+            (a.clone() - b.clone()) * (b.clone() - c.clone()) * (a.clone() - c.clone()),
             a.clone() * (c.clone().pow(2) - b.clone().pow(2))
                 + b.clone() * (a.clone().pow(2) - c.clone().pow(2))
                 + c * (b.pow(2) - a.pow(2)),
