@@ -78,6 +78,9 @@ impl FunctionTable {
         if let Some(pair) = self.turn(&term)? {
             return Ok(pair);
         }
+        if let Some(pair) = self.sign_of_half_turns(&term)? {
+            return Ok(pair);
+        }
         let (n, unit) = self.multiple(&term, |f| match f {
             FunctionLetter::Cosine(u) => Some(u.clone()),
             _ => None,

@@ -8,8 +8,9 @@
 
 use super::elementary::{LARGEST_MULTIPLE, Term, prime_factors, with_positive_lead};
 use super::{FunctionLetter, FunctionTable, Impossible, Possible};
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 use ratpoly::{Polynomial, RationalFunction};
 use std::cmp::Ordering;
 
@@ -117,9 +118,22 @@ impl FunctionTable {
                 }
                 self.power_of(&root, n)
             }
-            _ => Err(Impossible::unsupported(
-                "a root whose order is no power of two",
-            )),
+            Some(d) => {
+                // Only of a positive number that is such a power.
+                let root = |n: &BigInt| {
+                    let order = u32::try_from(d).ok().filter(|_| n.is_positive())?;
+                    let root = n.nth_root(order);
+                    (root.pow(order) == *n).then_some(root)
+                };
+                let number = base.as_constant();
+                let root =
+                    number.and_then(|n| Some(BigRational::new(root(n.numer())?, root(n.denom())?)));
+                let root = root.ok_or_else(|| {
+                    Impossible::unsupported("a root whose order is no power of two")
+                })?;
+                self.power_of(&self.constant(root), n)
+            }
+            None => Err(Impossible::unsupported("so high a root")),
         }
     }
 
@@ -195,6 +209,13 @@ impl FunctionTable {
             return self.rational_power(base, &number);
         }
         self.refuse_distributions(exponent)?;
+        if base
+            .as_constant()
+            .is_some_and(|number| number.is_negative())
+            && let Some(sign) = self.power_of_minus_one(exponent)?
+        {
+            return Ok(self.reduce(&sign * &self.power(&-base, exponent)?));
+        }
         if !self.is_positive(base) {
             return Err(Impossible::unsupported(
                 "a power with a symbolic exponent of something that is not known to be positive",

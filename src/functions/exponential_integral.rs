@@ -15,7 +15,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most undetermined coefficients.
-const MOST_UNKNOWN: usize = 100;
+const MOST_UNKNOWN: usize = 48;
 
 /// An angle linear in the variable: the letters of its cosine and sine, and its rate.
 struct Angle {
@@ -71,6 +71,9 @@ impl FunctionTable {
             let Some(found) = self.undetermined(&given, &rate, &functions) else {
                 return Ok(None);
             };
+            for coefficient in found.values() {
+                self.refuse_integer_poles(coefficient)?;
+            }
             let antiderivative = self.composed(&found, &exponents, variable, &functions)?;
             let derivative = self.derivative(&antiderivative, variable)?;
             if derivative != self.composed(&given, &exponents, variable, &functions)? {

@@ -27,6 +27,7 @@ pub mod enclosure;
 mod exponential;
 mod exponential_integral;
 pub mod integral;
+mod parity;
 pub mod quadratic;
 mod refinement;
 mod root;
@@ -264,15 +265,20 @@ impl FunctionTable {
 
     /// The letter of a function: the one it has, or a new one.
     pub(crate) fn letter(&self, function: FunctionLetter) -> Possible<usize> {
+        let known = |given: &Given| given.letters.iter().position(|known| *known == function);
+        if let Some(place) = known(&self.lock()) {
+            return Ok(self.first + place);
+        }
+        let square = self.square(&function);
         let mut given = self.lock();
-        if let Some(place) = given.letters.iter().position(|known| *known == function) {
+        if let Some(place) = known(&given) {
             return Ok(self.first + place);
         }
         let letter = self.first + given.letters.len();
         if letter >= self.ring.len() {
             return Err(Impossible::NoLetter);
         }
-        if let Some(square) = self.square(&function) {
+        if let Some(square) = square {
             let mut quadratics = given.quadratics.to_vec();
             quadratics.push(Quadratic { letter, square });
             given.quadratics = Arc::new(quadratics);
@@ -290,7 +296,13 @@ impl FunctionTable {
                 let cosine = Polynomial::variable(self.ring, *cosine);
                 Some(&Polynomial::one(self.ring) - &(&cosine * &cosine))
             }
-            _ => None,
+            FunctionLetter::Cosine(angle) => self.square_of_sign(angle),
+            FunctionLetter::Pi
+            | FunctionLetter::Exponential(_)
+            | FunctionLetter::Power(..)
+            | FunctionLetter::Logarithm(_)
+            | FunctionLetter::Dirac(_)
+            | FunctionLetter::Bound { .. } => None,
         }
     }
 

@@ -23,6 +23,12 @@ pub const TEMPLATES: &[Template] = &[
         make: improper,
     },
     Template {
+        name: "integrals/integer frequencies",
+        kind: Kind::Other,
+        header: FOURIER,
+        make: fourier,
+    },
+    Template {
         name: "integrals/divergent",
         kind: Kind::Other,
         header: REALS,
@@ -54,6 +60,65 @@ e = { constant = "e" }
 '\delta' = { dirac = true }
 ```
 "#;
+
+const FOURIER: &str = r#"```toml symbols
+k = { domain = "integer", range = "k > 0" }
+n = { domain = "integer" }
+m = { domain = "integer" }
+x = { }
+a = { positive = true }
+```
+```toml notation
+e = { constant = "e" }
+j = { constant = "i" }
+'\pi' = { constant = "pi" }
+```
+"#;
+
+/// Fourier integrals: k is positive, n and m may vanish or be the same, and then the value is another.
+fn fourier(r: &mut Random, label: &str) -> Claim {
+    let truth = |k: bool, wrong: bool| word(k && !wrong);
+    let wrong = r.once_in(3);
+    let tail = if wrong { " + a" } else { "" };
+    let l = r.pick(&["k", "n"]);
+    let positive = *l == *"k";
+    let (latex, truth) = match r.below(7) {
+        0 => (
+            format!("\\int_0^\\pi \\cos({l}x)\\,dx = 0"),
+            truth(positive, wrong),
+        ),
+        1 => (
+            format!("\\int_0^\\pi \\sin({l}x)\\,dx = \\frac{{1 - (-1)^{l}}}{{{l}}}"),
+            // Where n vanishes the right side has no value.
+            match (positive, wrong) {
+                (_, true) => Truth::False,
+                (true, false) => Truth::True,
+                (false, false) => Truth::Unforced,
+            },
+        ),
+        2 => (
+            format!("\\int_0^{{2\\pi}} \\cos^2({l}x)\\,dx = \\pi"),
+            truth(positive, wrong),
+        ),
+        3 => (
+            "\\int_0^{2\\pi} \\cos(nx)\\cos(mx)\\,dx = 0".into(),
+            Truth::False,
+        ),
+        4 => (
+            "\\int_0^{2\\pi} \\sin(nx)\\cos(mx)\\,dx = 0".into(),
+            truth(true, wrong),
+        ),
+        5 => (
+            format!("\\int_0^{{2\\pi}} e^{{j{l}x}}\\,dx = 0"),
+            truth(positive, wrong),
+        ),
+        _ => (
+            "\\int_0^\\pi x\\sin(kx)\\,dx = -\\frac{\\pi(-1)^k}{k}".into(),
+            truth(true, wrong),
+        ),
+    };
+    Claim::of(label, &format!("{latex}{tail}"), truth)
+}
 
 fn word(holds: bool) -> Truth {
     if holds { Truth::True } else { Truth::False }
