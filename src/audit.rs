@@ -1,6 +1,6 @@
 //! The whole way of a document: read, modelled, checked.
 
-use crate::check::{self, Options, Verdicts};
+use crate::check::{self, Options, Told, Verdicts};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
 use crate::document::{Document, VerdictWord};
 use crate::figure::{self, Figure};
@@ -83,13 +83,31 @@ impl Audit {
     /// # Errors
     /// Everything that makes the document unusable, with its places.
     pub fn of(document: &Document, options: Options) -> Result<Audit, Rejection> {
-        with_deep_stack(|| Audit::compute(document, options))
+        Audit::telling(document, options, &|_, _| {})
     }
 
-    fn compute(document: &Document, options: Options) -> Result<Audit, Rejection> {
+    /// The same, telling the number of each link that is false before a correction is searched for: a
+    /// search may take long, the verdict stands.
+    ///
+    /// # Errors
+    /// As [`Audit::of`].
+    pub fn telling(
+        document: &Document,
+        options: Options,
+        tell: &(dyn Fn(&Model, Told<'_>) + Sync),
+    ) -> Result<Audit, Rejection> {
+        with_deep_stack(|| Audit::compute(document, options, tell))
+    }
+
+    fn compute(
+        document: &Document,
+        options: Options,
+        tell: &(dyn Fn(&Model, Told<'_>) + Sync),
+    ) -> Result<Audit, Rejection> {
         let reject = |diagnostics| document.reject(diagnostics);
         let model = Model::build(document).map_err(reject)?;
-        let verdicts = check::check(&model, options).map_err(reject)?;
+        let verdicts = check::check_telling(&model, options, &|told| tell(&model, told));
+        let verdicts = verdicts.map_err(reject)?;
         check_mends(&model, &verdicts).map_err(reject)?;
         let (of_names, units) = unit::audit(&model);
         let figures = figure::figures(&model, &verdicts.links, of_names).map_err(reject)?;

@@ -2,7 +2,8 @@
 
 use crate::audit::Audit;
 use crate::check::Options;
-use crate::diagnostic::Rejection;
+use crate::diagnostic::{Rejection, printable_line};
+use crate::document::Document;
 use crate::input;
 use crate::inspection::Inspection;
 use crate::methods::Methods;
@@ -17,9 +18,11 @@ use crate::report::{errata, explain, json};
 use crate::stack::{in_parallel, with_deep_stack};
 use crate::standing::exit_code;
 use clap::{Args, Parser, Subcommand};
+use std::collections::BTreeSet;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Mutex;
 
 /// Re-derives published equations exactly: which hold, which only under a condition, and which
 /// are misprinted and how to mend them.
@@ -202,9 +205,15 @@ fn audits(
     paths: &[PathBuf],
     options: Options,
     watch: &Terminal,
+    told: Searches,
 ) -> io::Result<(Vec<Audit>, usize)> {
     let documents = input::read(paths);
     watch.begin("checking", documents.len());
+    // Of several documents at once the lines come in any order: only people who wait get them.
+    let told = match documents.len() > 1 && !io::stderr().is_terminal() {
+        true => Searches::Silent,
+        false => told,
+    };
     // The longest first: none is left for one thread at the end.
     let length = |k: &usize| documents[*k].as_ref().map_or(0, |d| d.text.len());
     let mut order: Vec<usize> = (0..documents.len()).collect();
@@ -212,7 +221,10 @@ fn audits(
     let found = in_parallel(&order, |k| {
         let begun = !watch.stop();
         let audit = begun.then(|| match &documents[*k] {
-            Ok(document) => Audit::of(document, options),
+            Ok(document) => match told {
+                Searches::Told => telling(document, options, watch),
+                Searches::Silent => Audit::of(document, options),
+            },
             Err(rejection) => Err(rejection.clone()),
         });
         watch.advance();
@@ -235,6 +247,33 @@ fn audits(
     Ok((audits, rejections.len()))
 }
 
+/// Whether a run says what it found false before it searches for a correction.
+#[derive(Clone, Copy)]
+enum Searches {
+    Told,
+    Silent,
+}
+
+fn telling(document: &Document, options: Options, watch: &Terminal) -> Result<Audit, Rejection> {
+    let said = Mutex::new(BTreeSet::new());
+    Audit::telling(document, options, &|model, told| {
+        let equation = &model.equations[told.equation];
+        let number = match equation.links.len() {
+            0 | 1 => equation.label.clone(),
+            _ => format!("{}.{}", equation.label, told.member),
+        };
+        let line = format!(
+            "{} ({number}): false as printed; searching for a correction",
+            document.name
+        );
+        // Each of several sizes finds it false; it is said once.
+        let new = said.lock().is_ok_and(|mut said| said.insert(line.clone()));
+        if new {
+            watch.say(&printable_line(&line));
+        }
+    })
+}
+
 fn report(rejection: &Rejection) -> io::Result<()> {
     let colour = colour(io::stderr().is_terminal());
     write!(io::stderr(), "{}", rejection.render(colour))
@@ -245,7 +284,7 @@ fn check(arguments: &Check, watch: &Terminal) -> io::Result<u8> {
         candidates: arguments.budget,
         ..Options::default()
     };
-    let (audits, rejected) = audits(&arguments.paths, options, watch)?;
+    let (audits, rejected) = audits(&arguments.paths, options, watch, Searches::Told)?;
     let inspections: Vec<Inspection> = audits
         .into_iter()
         .map(|audit| Inspection::watched(audit, watch))
@@ -291,7 +330,12 @@ fn told(pdf: Pdf, text: &str, folder: &Path) -> io::Result<()> {
 }
 
 fn methods(arguments: &MethodsArguments, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
+    let (audits, rejected) = audits(
+        &arguments.paths,
+        Options::default(),
+        watch,
+        Searches::Silent,
+    )?;
     let mut out = io::stdout().lock();
     let mut found = false;
     for audit in &audits {
@@ -364,7 +408,12 @@ fn mutate(arguments: &MutateArguments, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
+    let (audits, rejected) = audits(
+        &arguments.paths,
+        Options::default(),
+        watch,
+        Searches::Silent,
+    )?;
     let mut out = io::stdout().lock();
     let columns = usize::from(width(out.is_terminal()).unwrap_or(100)).clamp(40, 120);
     let mut found = false;
@@ -389,7 +438,12 @@ fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
+    let (audits, rejected) = audits(
+        &arguments.paths,
+        Options::default(),
+        watch,
+        Searches::Silent,
+    )?;
     let documents: Vec<&Audit> = audits.iter().collect();
     let sheets = errata::sheets(&documents);
     let mut out = io::stdout().lock();
@@ -422,7 +476,12 @@ fn diff(arguments: &DiffArguments) -> io::Result<u8> {
 }
 
 fn figures(arguments: &Figures, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(&arguments.paths, Options::default(), watch)?;
+    let (audits, rejected) = audits(
+        &arguments.paths,
+        Options::default(),
+        watch,
+        Searches::Silent,
+    )?;
     let documents: Vec<&Audit> = audits.iter().collect();
     let written = output::figures(&arguments.out, &documents)?;
     let mut out = io::stdout().lock();

@@ -5,7 +5,7 @@
 //! that is printed or written depends on a watch that does not stop.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -70,6 +70,17 @@ impl Terminal {
     /// Whether Ctrl-C was pressed.
     pub fn interrupted(&self) -> bool {
         INTERRUPTED.load(Ordering::SeqCst)
+    }
+
+    /// Writes a line to standard error, above the bar if there is one.
+    pub fn say(&self, line: &str) {
+        self.with_bar(|bar| match bar {
+            Some(bar) => bar.println(line),
+            None => {
+                // Nobody listens any more; the run goes on.
+                let _ = writeln!(std::io::stderr(), "{line}");
+            }
+        });
     }
 
     fn with_bar(&self, change: impl FnOnce(&mut Option<ProgressBar>)) {

@@ -112,8 +112,11 @@ fn all_files_are_written_and_the_same_every_time() {
     for folder in &folders {
         let output = rederive(&[QUARTER_CAR, "--out", &folder.display().to_string()]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        // One line says what became of the PDF, with TeX and without.
-        let said = text(&output.stderr);
+        // What is false is said before its correction is searched; the last line says what became of
+        // the PDF, with TeX and without.
+        let all = text(&output.stderr);
+        assert!(all.contains(" (48.1): false as printed; searching"), "{all}");
+        let said = all.lines().last().unwrap_or_default();
         let pdf = folder.join("report.pdf").exists();
         let expected = if pdf {
             "the report is"
