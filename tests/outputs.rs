@@ -115,7 +115,10 @@ fn all_files_are_written_and_the_same_every_time() {
         // What is false is said before its correction is searched; the last line says what became of
         // the PDF, with TeX and without.
         let all = text(&output.stderr);
-        assert!(all.contains(" (48.1): false as printed; searching"), "{all}");
+        assert!(
+            all.contains(" (48.1): false as printed; searching"),
+            "{all}"
+        );
         let said = all.lines().last().unwrap_or_default();
         let pdf = folder.join("report.pdf").exists();
         let expected = if pdf {

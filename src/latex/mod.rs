@@ -48,8 +48,9 @@ pub(crate) use vocabulary::is_condition;
 pub use writer::{canonical, write_chain, write_display, write_expr, write_relation};
 
 use crate::diagnostic::Diagnostic;
-use crate::expr::{Chain, Display, Expr, Name};
+use crate::expr::{Bracket, Chain, Display, Expr, Name};
 use crate::span::Span;
+use lexer::{Delimiter, Token};
 use parser::Parser;
 
 /// Reads everything that stands under one equation number. `offset` is the place of `text` in
@@ -126,6 +127,37 @@ pub(crate) fn heads(text: &str) -> impl Iterator<Item = String> {
 }
 
 /// The names that a display defines, with their arguments.
+/// The letters that stand somewhere with no round bracket after them, their indices and primes.
+fn letters_without_bracket(text: &str) -> Vec<String> {
+    let Ok(layout) = layout::prepare(text, 0, true) else {
+        return Vec::new();
+    };
+    let token = |position: usize| layout.lexemes.get(position).map(|l| &l.token);
+    let letter = |position: usize| match token(position) {
+        Some(Token::Letter(c)) => Some(c.to_string()),
+        Some(Token::Command(command)) => Some(format!("\\{command}")),
+        _ => None,
+    };
+    let bare = |mut position: usize| {
+        position += 1;
+        loop {
+            match token(position) {
+                Some(Token::Symbol('\'')) => position += 1,
+                // What stands below is one lexeme or a group.
+                Some(Token::Symbol('_')) => {
+                    position = layout.partner.get(position + 1).map_or(position, |p| *p) + 1;
+                }
+                Some(Token::Open(
+                    Delimiter::Visible(Bracket::Round) | Delimiter::Stretched(Bracket::Round),
+                )) => return false,
+                _ => return true,
+            }
+        }
+    };
+    let places = (0..layout.lexemes.len()).filter(|position| bare(*position));
+    places.filter_map(letter).collect()
+}
+
 fn heads_with_arguments(text: &str) -> Vec<(Name, Vec<Name>)> {
     let Ok(layout) = layout::prepare(text, 0, true) else {
         return Vec::new();

@@ -18,6 +18,8 @@ pub struct Signature {
     /// Names that an equation defines and no table declares.
     defined: BTreeSet<String>,
     indexed: BTreeSet<Letter>,
+    /// Letters that stand somewhere without a bracket after them.
+    bare: BTreeSet<String>,
     expectation: Option<String>,
 }
 
@@ -29,6 +31,7 @@ impl Default for Signature {
             names: BTreeSet::new(),
             defined: BTreeSet::new(),
             indexed: BTreeSet::new(),
+            bare: BTreeSet::new(),
             expectation: Some("E".to_owned()),
         }
     }
@@ -67,6 +70,17 @@ impl Signature {
                 self.declare_function(&name, &arguments);
             }
         }
+    }
+
+    /// Notes which letters of a text stand without arguments. A function that always has some is one
+    /// in `h(y - 1)` too; `x(a + b)` may be a product where `x` stands alone elsewhere.
+    pub fn note_uses(&mut self, text: &str) {
+        self.bare.extend(super::letters_without_bracket(text));
+    }
+
+    /// Whether the name is nowhere noted without arguments.
+    pub(super) fn is_always_applied(&self, name: &Name) -> bool {
+        !self.bare.contains(&name.letter.base)
     }
 
     /// Chooses the letter that before `\{` stands for the expectation; `E` unless told.

@@ -294,6 +294,11 @@ impl Builder {
         }
         for equation in &document.equations {
             signature.declare_definitions(&equation.body.text);
+            signature.note_uses(&equation.body.text);
+            let settings = &equation.settings;
+            for text in settings.assume.iter().chain(&settings.given) {
+                signature.note_uses(&text.text);
+            }
         }
         signature
     }

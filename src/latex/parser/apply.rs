@@ -6,19 +6,33 @@ use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::vocabulary;
 use crate::span::Span;
 
+/// Why a bracket after a name holds arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Applied {
+    /// The name is declared so, or what stands in the bracket is an argument of it.
+    Declared,
+    /// The name has arguments wherever it stands: a choice, which is named.
+    AsElsewhere,
+}
+
 impl Parser<'_> {
     /// Whether the bracket that follows holds arguments of the name, which may be raised already.
-    pub(super) fn at_arguments(&self, name: &Name, span: Span, raised: bool) -> Parse<bool> {
+    pub(super) fn at_arguments(
+        &self,
+        name: &Name,
+        span: Span,
+        raised: bool,
+    ) -> Parse<Option<Applied>> {
         let Some(Token::Open(
             Delimiter::Visible(Bracket::Round) | Delimiter::Stretched(Bracket::Round),
         )) = self.peek()
         else {
-            return Ok(false);
+            return Ok(None);
         };
         let open = self.position;
         let close = self.partner[open];
         if self.holds_list(open, close) {
-            return Ok(true);
+            return Ok(Some(Applied::Declared));
         }
         let ambiguous = || {
             let span = span.to(self.lexemes[close].span);
@@ -26,29 +40,32 @@ impl Parser<'_> {
         };
         let Some(variables) = self.signature.variables(name) else {
             if self.signature.is_no_function(name) || !self.holds_one_name(open + 1, close) {
-                return Ok(false);
+                return Ok(None);
             }
             let variable = close == open + 2
                 && self
                     .letter_at(open + 1)
                     .is_some_and(|letter| self.signature.is_variable(&letter));
             return match (variable, self.signature.is_declared(name)) {
-                (true, _) => Ok(true),
-                (false, true) => Ok(false),
+                (true, _) => Ok(Some(Applied::Declared)),
+                (false, true) => Ok(None),
                 (false, false) => Err(ambiguous()),
             };
         };
         let signed = usize::from(self.peek_at(1) == Some(&Token::Symbol('-')));
         if self.holds_one_name(open + 1 + signed, close) {
-            return Ok(true);
+            return Ok(Some(Applied::Declared));
         }
         let mentioned = (open..close)
             .filter_map(|position| self.letter_at(position))
             .any(|letter| variables.contains(&letter));
         match (variables.is_empty(), mentioned, raised) {
-            (_, true, _) | (true, _, false) => Ok(true),
+            (_, true, _) | (true, _, false) => Ok(Some(Applied::Declared)),
             // M^{-1}(K + N): a power of the function at no argument, and a factor.
-            (false, false, true) => Ok(false),
+            (false, false, true) => Ok(None),
+            (false, false, false) if self.signature.is_always_applied(name) => {
+                Ok(Some(Applied::AsElsewhere))
+            }
             (false, false, false) | (true, false, true) => Err(ambiguous()),
         }
     }

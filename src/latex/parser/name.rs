@@ -1,5 +1,6 @@
 //! Names: letters with typeface, accent and dots, their indices, exponents and arguments.
 
+use super::apply::Applied;
 use super::{Parse, Parser};
 use crate::diagnostic::DiagnosticKind;
 use crate::expr::{Bracket, Expr, ExprKind, Font, Letter, Name};
@@ -163,13 +164,17 @@ impl Parser<'_> {
             let base = Expr::new(kind, self.since(start));
             return self.raised_by(base, exponent);
         }
-        if self.at_arguments(&name, scripted, exponent.is_some())? {
+        if let Some(why) = self.at_arguments(&name, scripted, exponent.is_some())? {
             let arguments = self.arguments()?;
             let kind = ExprKind::Apply {
                 function: name,
                 arguments,
             };
             let base = Expr::new(kind, self.since(start));
+            match why {
+                Applied::Declared => {}
+                Applied::AsElsewhere => self.note_reading(&base),
+            }
             return self.raised_by(base, exponent);
         }
         let base = Expr::new(ExprKind::Name(name), scripted);
