@@ -18,8 +18,8 @@ pub struct Signature {
     /// Names that an equation defines and no table declares.
     defined: BTreeSet<String>,
     indexed: BTreeSet<Letter>,
-    /// Letters that stand somewhere without a bracket after them.
-    bare: BTreeSet<String>,
+    /// Letters that stand somewhere without a bracket after them; none where nothing was noted.
+    bare: Option<BTreeSet<String>>,
     expectation: Option<String>,
 }
 
@@ -31,7 +31,7 @@ impl Default for Signature {
             names: BTreeSet::new(),
             defined: BTreeSet::new(),
             indexed: BTreeSet::new(),
-            bare: BTreeSet::new(),
+            bare: None,
             expectation: Some("E".to_owned()),
         }
     }
@@ -75,12 +75,14 @@ impl Signature {
     /// Notes which letters of a text stand without arguments. A function that always has some is one
     /// in `h(y - 1)` too; `x(a + b)` may be a product where `x` stands alone elsewhere.
     pub fn note_uses(&mut self, text: &str) {
-        self.bare.extend(super::letters_without_bracket(text));
+        let bare = self.bare.get_or_insert_default();
+        bare.extend(super::letters_without_bracket(text));
     }
 
-    /// Whether the name is nowhere noted without arguments.
+    /// Whether uses were noted and the name is nowhere without arguments.
     pub(super) fn is_always_applied(&self, name: &Name) -> bool {
-        !self.bare.contains(&name.letter.base)
+        let bare = self.bare.as_ref();
+        bare.is_some_and(|bare| !bare.contains(&name.letter.base))
     }
 
     /// Chooses the letter that before `\{` stands for the expectation; `E` unless told.

@@ -1,7 +1,9 @@
 //! Sums, products, quotients, powers and calls.
 
 use super::Writer;
-use super::guard::{ends_in_bare_argument, ends_in_bare_d, final_name, is_bare_d, is_open_ended};
+use super::guard::{
+    ends_in_bare_argument, ends_in_bare_d, final_name, is_bare_d, is_open_ended, is_slash,
+};
 use super::symbol::{canonical, enclose, function, number, push};
 use crate::expr::{Bracket, Expr, ExprKind, Font, Function, QuotientStyle, Sign};
 use crate::latex::parser::{ends_divisor, is_mark};
@@ -107,7 +109,15 @@ impl Writer {
                     style: QuotientStyle::Slash,
                     ..
                 } => None,
-                ExprKind::Product(factors) if below && ends_divisor(numerator, &factors[0]) => None,
+                // What is put into a bracket as a factor ends a divisor as well.
+                ExprKind::Product(factors)
+                    if below
+                        && (ends_divisor(numerator, &factors[0])
+                            || is_open_ended(&factors[0])
+                            || is_slash(&factors[0])) =>
+                {
+                    None
+                }
                 ExprKind::Product(factors) => writer.product(factors, true),
                 _ => Some(writer.operand(expr)),
             }
