@@ -239,7 +239,11 @@ pub(in crate::latex) fn is_mark(base: &Expr, exponent: &Expr) -> bool {
     else {
         return false;
     };
-    let raises = match &base.kind {
+    let mut bare = base;
+    while let ExprKind::Group { inner, .. } = &bare.kind {
+        bare = inner;
+    }
+    let raises = match &bare.kind {
         ExprKind::Number(_) => true,
         ExprKind::Name(name) => name.letter.base == "e",
         _ => false,

@@ -114,7 +114,8 @@ impl Writer {
                     if below
                         && (ends_divisor(numerator, &factors[0])
                             || is_open_ended(&factors[0])
-                            || is_slash(&factors[0])) =>
+                            || is_slash(&factors[0])
+                            || matches!(factors[0].kind, ExprKind::Product(_))) =>
                 {
                     None
                 }
