@@ -5,10 +5,12 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, Rejection};
 use crate::document::{Document, VerdictWord};
 use crate::figure::{self, Figure};
 use crate::model::Model;
+use crate::span::Span;
 use crate::stack::with_deep_stack;
 use crate::unit::{self, UnitFinding};
 use crate::verdict::Outcome;
 use crate::verdict::statement::StatementOutcome;
+use ratpoly::allowance;
 
 /// A document with the verdicts on all its links.
 #[derive(Clone, Debug)]
@@ -96,7 +98,17 @@ impl Audit {
         options: Options,
         tell: &(dyn Fn(&Model, Told<'_>) + Sync),
     ) -> Result<Audit, Rejection> {
-        with_deep_stack(|| Audit::compute(document, options, tell))
+        with_deep_stack(|| {
+            let whole = || Audit::compute(document, options, tell);
+            allowance::within(check::bounded::WHOLE, whole).unwrap_or_else(|exhausted| {
+                let message = format!(
+                    "the document as a whole cannot be checked: {}",
+                    check::bounded::words(exhausted)
+                );
+                let kind = DiagnosticKind::Unreadable { message };
+                Err(document.reject(vec![Diagnostic::new(kind, Span::default())]))
+            })
+        })
     }
 
     fn compute(

@@ -13,7 +13,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
-use ratpoly::{Budget, Polynomial, RationalFunction, Ring};
+use ratpoly::{Budget, Polynomial, RationalFunction, Ring, allowance};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A field with exact equality.
@@ -72,6 +72,11 @@ pub trait Domain {
         Self: Sized,
     {
         lyapunov::solve(self, a, q)
+    }
+
+    /// About how many bytes each of the terms takes that [`size`](Domain::size) counts.
+    fn bytes_of_a_term(&self) -> usize {
+        64
     }
 
     /// The letters that occur, in increasing order; none over fields without letters.
@@ -206,6 +211,9 @@ impl Domain for Symbolic {
     fn size(&self, element: &RationalFunction) -> usize {
         element.numerator().len() + element.denominator().len()
     }
+    fn bytes_of_a_term(&self) -> usize {
+        32 + 8 * self.ring.len()
+    }
     fn partial_derivatives(
         &self,
         element: &RationalFunction,
@@ -324,20 +332,34 @@ impl Domain for Rationals {
         element.is_zero()
     }
     fn add(&self, left: &BigRational, right: &BigRational) -> BigRational {
+        allow(left, right);
         left + right
     }
     fn subtract(&self, left: &BigRational, right: &BigRational) -> BigRational {
+        allow(left, right);
         left - right
     }
     fn multiply(&self, left: &BigRational, right: &BigRational) -> BigRational {
+        allow(left, right);
         left * right
     }
     fn divide(&self, left: &BigRational, right: &BigRational) -> Option<BigRational> {
+        allow(left, right);
         (!right.is_zero()).then(|| left / right)
     }
     fn negate(&self, element: &BigRational) -> BigRational {
         -element
     }
+}
+
+/// Counts an operation on two numbers against the allowance of the thread: their products of words, and
+/// the memory of the result.
+fn allow(left: &BigRational, right: &BigRational) {
+    let words = |q: &BigRational| 1 + (q.numer().bits() + q.denom().bits()) / 64;
+    let (left, right) = (words(left), words(right));
+    allowance::spend(4 + left.saturating_mul(right));
+    let bytes = usize::try_from((left + right).saturating_mul(8));
+    allowance::reserve(bytes.unwrap_or(usize::MAX));
 }
 
 /// The integers modulo the prime 2^61 - 259, which is 5 modulo 8: minus one is a square, so that i

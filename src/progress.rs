@@ -58,6 +58,8 @@ impl Terminal {
     pub fn new() -> Self {
         // A second handler in one process is refused; the first one does the same.
         let _ = ctrlc::set_handler(|| {
+            // What computes exactly ends in the middle of it.
+            ratpoly::allowance::interrupt();
             if INTERRUPTED.swap(true, Ordering::SeqCst) {
                 std::process::exit(INTERRUPTED_CODE.into());
             }

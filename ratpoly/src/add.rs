@@ -70,6 +70,7 @@ impl Polynomial {
         if self.ring != other.ring || self.terms.kind() != self.ring.narrowest() {
             return false;
         }
+        self.allow_sum(other);
         fn merge<M: PackedMonomial, const SUBTRACT: bool>(a: &mut Terms, b: &Terms) -> bool {
             match (M::words_mut(a), M::words(b)) {
                 (Some(a), Some(b)) => merge_words::<M, SUBTRACT>(a, b),

@@ -1,5 +1,6 @@
 //! The operators of polynomials: sums, products, powers, and their forms with typed errors and budgets.
 
+use crate::allowance;
 use crate::budget::Budget;
 use crate::error::{Error, Resource};
 use crate::multiply::{Failure, multiply};
@@ -15,6 +16,7 @@ impl Polynomial {
     /// The sum, or [`Error::RingMismatch`].
     pub fn try_add(&self, other: &Polynomial) -> Result<Polynomial, Error> {
         self.check_ring(other)?;
+        self.allow_sum(other);
         Ok(
             same_layout!(self.ring, &self.terms, &other.terms, a, b => self.with(a.merge::<false>(b))),
         )
@@ -23,9 +25,19 @@ impl Polynomial {
     /// The difference, or [`Error::RingMismatch`].
     pub fn try_sub(&self, other: &Polynomial) -> Result<Polynomial, Error> {
         self.check_ring(other)?;
+        self.allow_sum(other);
         Ok(
             same_layout!(self.ring, &self.terms, &other.terms, a, b => self.with(a.merge::<true>(b))),
         )
+    }
+
+    /// Counts a sum against the allowance of the thread, before it is formed.
+    pub(crate) fn allow_sum(&self, other: &Polynomial) {
+        let terms = self.len() + other.len();
+        allowance::spend(4 + terms as u64);
+        // The length of a coefficient is asked for only where it can matter.
+        let bytes = terms.saturating_mul(24 + 8 * self.ring.len());
+        allowance::reserve(bytes);
     }
 
     /// The product, or [`Error::RingMismatch`] or [`Error::ExponentOverflow`].

@@ -1,5 +1,6 @@
 //! The budget of a computation: limits on terms, coefficient bits and elementary steps.
 
+use crate::allowance;
 use crate::error::{Error, Resource};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -61,6 +62,7 @@ impl Budget {
 
     /// Counts `steps` more steps.
     pub fn spend(&self, steps: u64) -> Result<(), Error> {
+        allowance::spend(steps);
         if self.steps == u64::MAX {
             return Ok(());
         }

@@ -100,6 +100,7 @@
 
 mod accumulator;
 mod add;
+pub mod allowance;
 mod arithmetic;
 mod budget;
 mod coefficient;

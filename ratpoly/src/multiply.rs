@@ -6,6 +6,7 @@
 //! then no kernel has to look for overflows. (Sums on the way may wrap, see [`crate::accumulator`].)
 
 use crate::accumulator::{Additive, ProductsOf};
+use crate::allowance;
 use crate::budget::Budget;
 use crate::error::{Error, Resource};
 use crate::karatsuba;
@@ -51,6 +52,15 @@ pub(crate) fn multiply<M: PackedMonomial>(
     }
     let count = (shorter.len() as u64).saturating_mul(longer.len() as u64);
     budget.spend(Budget::products(count, shorter.bits(), longer.bits()))?;
+    // Long monomials and products that meet no equal cost more than a step: each is copied.
+    if shorter.len() == 1 || layout.is_wide() {
+        let words = if layout.is_wide() {
+            layout.fields as u64
+        } else {
+            4
+        };
+        allowance::spend(count.saturating_mul(words.max(4)));
+    }
     // A coefficient of the product is a sum of at most `shorter.len()` products.
     let carry = u64::from(usize::BITS - (shorter.len() - 1).leading_zeros());
     let bits = shorter.bits() + longer.bits() + carry;
@@ -118,6 +128,7 @@ fn products<M: PackedMonomial, C: Additive, A: ProductsOf<C>>(
     headroom: u32,
 ) -> Result<TermList<M>, Error> {
     if let [term] = f {
+        allowance::reserve(bytes::<M, C>(g.len(), layout));
         let mut list = TermList::with_capacity(g.len());
         budget.check_terms(g.len())?;
         for other in g {
@@ -136,6 +147,7 @@ fn products<M: PackedMonomial, C: Additive, A: ProductsOf<C>>(
             return window::multiply::<M, C, A, _>(f, g, layout, &plan, budget.terms());
         }
     }
+    allowance::reserve(bytes::<M, A>(f.len().saturating_mul(g.len()), layout));
     let mut all: Vec<Term<M, A>> = Vec::with_capacity(f.len() * g.len());
     for a in f {
         for b in g {
@@ -150,6 +162,16 @@ fn products<M: PackedMonomial, C: Additive, A: ProductsOf<C>>(
         return Err(Error::BudgetExceeded(Resource::Terms));
     }
     Ok(list)
+}
+
+/// The bytes of so many terms, those of long coefficients apart.
+fn bytes<M, C>(terms: usize, layout: &Layout) -> usize {
+    let apart = if layout.is_wide() {
+        8 * layout.fields
+    } else {
+        0
+    };
+    terms.saturating_mul(std::mem::size_of::<Term<M, C>>() + apart)
 }
 
 /// Whether the layout holds all products of monomials.

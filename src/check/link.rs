@@ -1,5 +1,6 @@
 //! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
 
+use super::bounded;
 use super::challenge::is_decided_by_points;
 use super::identity::{Decision, Insertion};
 use super::{Checker, Told, index_tuples};
@@ -9,7 +10,8 @@ use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
-use crate::verdict::{CounterProof, Positivity, Refutation, Verdict};
+use crate::verdict::{CounterProof, Ended, Positivity, Refutation, Searched, Verdict};
+use ratpoly::allowance::Exhausted;
 
 impl Checker<'_> {
     /// The verdict on one link, with what shows it.
@@ -68,10 +70,10 @@ impl Checker<'_> {
                 reason: reason.into(),
             }
         } else if printed.role == Role::Solve {
-            self.solved(equation)
+            self.exactly(|c| c.solved(equation))
         } else if let Some(definition) = printed.defines[l] {
             self.misscoped(equation, link)
-                .unwrap_or_else(|| self.definition(definition))
+                .unwrap_or_else(|| self.exactly(|c| c.definition(definition)))
         } else if printed.role == Role::Define && self.is_range(equation, link) {
             Verdict::Definition {
                 what: "the range in which it is meant".into(),
@@ -79,23 +81,32 @@ impl Checker<'_> {
         } else if link.left == link.right {
             self.bare(equation, link)
         } else if link.relation == Relation::Tends {
-            self.tends(equation, link)
+            self.exactly(|c| c.tends(equation, link))
         } else if self.is_circular(equation, l) {
             Verdict::Undecided {
                 reason: "the claim is one of its hypotheses: nothing is left to show".into(),
             }
         } else if link.relation != Relation::Equal {
-            let verdict = match self.inequality(equation, link, positivity) {
-                Verdict::Refuted(refutation) => self
+            let verdict = self.exactly(|c| match c.inequality(equation, link, positivity) {
+                Verdict::Refuted(refutation) => c
                     .under_stated(equation, link, &refutation)
                     .unwrap_or(Verdict::Refuted(refutation)),
                 verdict => verdict,
-            };
+            });
             self.second_opinion(equation, link, verdict)
         } else {
-            let verdict = self.claim(equation, link);
+            let verdict = self.exactly(|c| c.claim(equation, link));
             self.second_opinion(equation, link, verdict)
         }
+    }
+
+    /// What the exact engine finds within its allowance: beyond it the link is undecided, and a second
+    /// route may still find a point.
+    fn exactly(&mut self, decide: impl FnOnce(&mut Self) -> Verdict) -> Verdict {
+        self.bounded(decide)
+            .unwrap_or_else(|exhausted| Verdict::Undecided {
+                reason: bounded::words(exhausted).into(),
+            })
     }
 
     /// What stands once a second route has looked at a verdict: what is proved true unless it is
@@ -313,7 +324,22 @@ impl Checker<'_> {
                 refutation: &refutation,
             });
         }
-        match self.search(equation, link, self.options.candidates) {
+        let candidates = self.options.candidates;
+        let found = self.bounded(|checker| checker.search(equation, link, candidates));
+        let found = found.unwrap_or_else(|exhausted| {
+            let ended = match exhausted {
+                Exhausted::Steps | Exhausted::Memory => Ended::Work,
+                Exhausted::Interrupted => Ended::Interrupted,
+            };
+            Err(Searched {
+                tried: 0,
+                of: 0,
+                budget: candidates,
+                ended: Some(ended),
+                empty: 0,
+            })
+        });
+        match found {
             Ok(correction) => {
                 self.exact.correct(equation, correction.display.clone());
                 if let Some((definition, display)) = &correction.definition {
@@ -350,6 +376,7 @@ impl Checker<'_> {
         match &failure.kind {
             FailureKind::Unsupported { what } => format!("{what} is outside of what is decided"),
             FailureKind::Budget { what } => format!("too many {what}"),
+            FailureKind::Exhausted { what } => what.clone(),
             FailureKind::Outside { name } => format!("{name} does not exist"),
             FailureKind::Divergent { reason, .. } => format!("the integral diverges: {reason}"),
             FailureKind::NeedsItself => "a definition needs itself".into(),

@@ -6,6 +6,7 @@
 
 mod admissible;
 mod after;
+pub(crate) mod bounded;
 mod challenge;
 mod conditions;
 mod definite;
@@ -46,7 +47,7 @@ use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
 use hypotheses::Supposed;
-use ratpoly::RationalFunction;
+use ratpoly::{RationalFunction, allowance};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -97,6 +98,8 @@ pub struct Checker<'m> {
     failure: Option<FailureKind>,
     /// How the program contradicted itself on the last link, if it did.
     contradiction: Option<Contradiction>,
+    /// The steps that are left for all links.
+    pool: bounded::Pool,
     /// The equations as printed, with their hashes.
     prints: BTreeMap<usize, Arc<Print>>,
 }
@@ -208,6 +211,7 @@ impl<'m> Checker<'m> {
             tell: None,
             failure: None,
             contradiction: None,
+            pool: bounded::Pool::default(),
             prints: BTreeMap::new(),
         }
     }
@@ -226,7 +230,15 @@ impl<'m> Checker<'m> {
             if let Letter::Abbreviation { definition } = kind {
                 let node = (Node::Definition(*definition), Vec::new(), 0);
                 let span = model.equations[model.definitions[*definition].equation].span;
-                match expanding.value_of(node, span) {
+                let value = || expanding.value_of(node.clone(), span);
+                let found = allowance::within(self.allowance(), value);
+                let found = found.unwrap_or_else(|exhausted| {
+                    expanding = self.exact.anew();
+                    expanding.keep_abbreviations = false;
+                    let what = bounded::words(exhausted).into();
+                    Err(Failure::new(FailureKind::Exhausted { what }, span))
+                });
+                match found {
                     Ok(Value::Scalar(value)) => {
                         self.inserted.insert(letter, value);
                     }
@@ -252,8 +264,14 @@ impl<'m> Checker<'m> {
         for equation in self.model.settling_order() {
             outcomes.extend(self.settle(equation));
         }
-        self.common_definitions(&mut outcomes);
-        self.explained_by_definitions(&mut outcomes);
+        let mut better = outcomes.clone();
+        let improved = self.bounded(|checker| {
+            checker.common_definitions(&mut better);
+            checker.explained_by_definitions(&mut better);
+        });
+        if improved.is_ok() {
+            outcomes = better;
+        }
         let statements = self.statements();
         if !self.diagnostics.is_empty() {
             self.diagnostics.sort_by_key(|d| d.span);
@@ -286,7 +304,14 @@ impl<'m> Checker<'m> {
         if printed.assume.is_empty() {
             return self.settle_links(equation, None);
         }
-        match self.under_hypotheses(equation) {
+        let supposed = self.bounded(|checker| checker.under_hypotheses(equation));
+        let supposed = match supposed {
+            Ok(supposed) => supposed,
+            Err(exhausted) => {
+                return self.settle_links(equation, Some(bounded::words(exhausted)));
+            }
+        };
+        match supposed {
             Err(unusable) => {
                 let reason = self.words_of(&unusable);
                 self.settle_links(equation, Some(&reason))
@@ -323,12 +348,27 @@ impl<'m> Checker<'m> {
         self.contradiction = None;
         let mut positivity = None;
         let before = self.exact.corrected_display(equation).cloned();
-        let verdict = self.verdict(equation, l, unusable, &mut positivity);
-        let conditions = self.conditions();
+        let found = self.bounded(|checker| {
+            let mut positivity = None;
+            let verdict = checker.verdict(equation, l, unusable, &mut positivity);
+            (verdict, checker.conditions(), positivity)
+        });
+        let (verdict, conditions) = match found {
+            Ok((verdict, conditions, found)) => {
+                positivity = found;
+                (verdict, conditions)
+            }
+            Err(exhausted) => {
+                let reason = bounded::words(exhausted).into();
+                (Verdict::Undecided { reason }, Vec::new())
+            }
+        };
         let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
         let after = match &verdict {
             Verdict::Misprint { .. } | Verdict::Refuted(_) => {
-                self.after(equation, l, before.as_ref().unwrap_or(&printed.display))
+                let before = before.as_ref().unwrap_or(&printed.display);
+                let after = self.bounded(|checker| checker.after(equation, l, before));
+                after.ok().flatten()
             }
             _ => None,
         };

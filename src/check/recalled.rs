@@ -45,8 +45,10 @@ pub(crate) fn recalled_and_false(model: &Model, options: Options) -> Vec<(usize,
     let Ok(mut checker) = Checker::new(model, options) else {
         return Vec::new();
     };
-    let is_false =
-        |(e, _, link): &(usize, usize, _)| matches!(checker.claim(*e, link), Verdict::Refuted(_));
+    let is_false = |(e, _, link): &(usize, usize, _)| {
+        let verdict = checker.bounded(|checker| checker.claim(*e, link));
+        matches!(verdict, Ok(Verdict::Refuted(_)))
+    };
     let found: Vec<_> = tried.into_iter().filter(is_false).collect();
     found
         .into_iter()

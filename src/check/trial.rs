@@ -94,7 +94,9 @@ impl Nonsense {
             FailureKind::NotStationary => Nonsense::Undetermined,
             FailureKind::Divergent { .. } => Nonsense::Divergent,
             FailureKind::NeedsItself => Nonsense::Circular,
-            FailureKind::Budget { .. } | FailureKind::Unsupported { .. } => return None,
+            FailureKind::Budget { .. }
+            | FailureKind::Exhausted { .. }
+            | FailureKind::Unsupported { .. } => return None,
         })
     }
 }

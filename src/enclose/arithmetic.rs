@@ -33,6 +33,8 @@ impl Arithmetic {
     /// # Errors
     /// When none is left.
     pub(super) fn spend(&self, units: u64) -> Result<()> {
+        // So that it ends where the user asks for it.
+        ratpoly::allowance::spend(units);
         let each = u64::from(self.bits / 192) + 1;
         match self.work.get().checked_sub(units * each) {
             Some(left) => {

@@ -65,6 +65,11 @@ pub enum FailureKind {
         /// Of what.
         what: String,
     },
+    /// What an exact computation may cost was spent.
+    Exhausted {
+        /// What ran out, in words.
+        what: String,
+    },
     /// An integral without a value.
     Divergent {
         /// Why.
@@ -155,6 +160,7 @@ impl Failure {
             | FailureKind::Underdetermined
             | FailureKind::Inconsistent
             | FailureKind::Budget { .. }
+            | FailureKind::Exhausted { .. }
             | FailureKind::Divergent { .. }
             | FailureKind::Unsupported { .. } => return None,
         };

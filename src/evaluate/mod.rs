@@ -32,6 +32,7 @@ use crate::model::names::Resolved;
 use crate::model::{Model, Node};
 use crate::span::Span;
 use num_rational::BigRational;
+use ratpoly::allowance;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The largest exponent that is evaluated.
@@ -42,6 +43,10 @@ const LARGEST_RANGE: i64 = 10_000;
 const LONGEST_CHAIN: usize = 5_000;
 /// The largest product of two operands' sizes (terms) that is multiplied out.
 const LARGEST_PRODUCT: usize = 500_000;
+/// The largest number of terms of sums inside of sums together.
+const MOST_TERMS: u64 = 200_000;
+/// What the evaluation of a node counts in the steps of an [`allowance`].
+const NODE_STEPS: u64 = 300;
 
 /// A divisor that must not vanish.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +106,8 @@ pub struct Evaluator<'m, D: Domain> {
     open: BTreeSet<Key>,
     trial: BTreeMap<(usize, usize), Value<D::Element>>,
     bound: Vec<(String, i64)>,
+    /// How many terms the sums have together that are being added up.
+    running: u64,
     /// How many rows the next matrix should have where zeros of any shape leave that open.
     wanted_rows: Option<usize>,
     /// What the systems that are equations of a stationary state are about.
@@ -150,6 +157,7 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             open: BTreeSet::new(),
             trial: BTreeMap::new(),
             bound: Vec::new(),
+            running: 1,
             wanted_rows: None,
             stationary: BTreeMap::new(),
             without_value: BTreeMap::new(),
@@ -221,6 +229,20 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         anew.corrected = self.corrected.clone();
         anew.without_value = self.without_value.clone();
         anew
+    }
+
+    /// Another evaluator in the state that this one has between two expressions, for what may end in the
+    /// middle of one; what was computed is computed again.
+    #[must_use]
+    pub(crate) fn spare(&self) -> Self
+    where
+        D: Clone,
+    {
+        let mut spare = self.anew();
+        spare.lenient = self.lenient;
+        spare.keep_abbreviations = self.keep_abbreviations;
+        spare.stationary = self.stationary.clone();
+        spare
     }
 
     /// The same with other values of the letters.
@@ -316,6 +338,7 @@ impl<'m, D: Domain> Evaluator<'m, D> {
     /// A [`Failure`] with its place.
     pub fn expression(&mut self, expr: &Expr) -> Result<Value<D::Element>, Failure> {
         let span = expr.span;
+        allowance::spend(NODE_STEPS);
         match &expr.kind {
             ExprKind::Number(number) => self
                 .field
@@ -361,7 +384,9 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 body,
             } => {
                 let (from, to) = (self.bound_of_sum(from)?, self.bound_of_sum(to)?);
-                if to.saturating_sub(from) > LARGEST_RANGE {
+                let own = u64::try_from(to.saturating_sub(from).saturating_add(1)).unwrap_or(0);
+                let together = self.running.saturating_mul(own.max(1));
+                if to.saturating_sub(from) > LARGEST_RANGE || together > MOST_TERMS {
                     return Err(Failure::new(
                         FailureKind::Budget {
                             what: "terms of a sum".into(),
@@ -371,10 +396,18 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 }
                 let index = crate::latex::canonical(index);
                 let mut sum = Value::Zero;
+                let outer = std::mem::replace(&mut self.running, together);
                 for k in from..=to {
-                    let term = self.with_bound(&index, k, |e| e.expression(body))?;
-                    sum = value::add(&self.field, &sum, &term, body.span)?;
+                    let term = self.with_bound(&index, k, |e| e.expression(body));
+                    match term.and_then(|term| value::add(&self.field, &sum, &term, body.span)) {
+                        Ok(longer) => sum = longer,
+                        Err(failure) => {
+                            self.running = outer;
+                            return Err(failure);
+                        }
+                    }
                 }
+                self.running = outer;
                 Ok(match sum {
                     Value::Zero if from > to => Value::Scalar(self.field.integer(0)),
                     sum => sum,

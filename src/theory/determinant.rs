@@ -8,6 +8,7 @@
 use super::linear::eliminate;
 use crate::domain::Domain;
 use crate::matrix::Matrix;
+use ratpoly::allowance;
 
 /// The largest order that is expanded: 2^order minors are kept.
 const LARGEST_EXPANSION: usize = 12;
@@ -23,7 +24,8 @@ pub fn determinant<D: Domain>(field: &D, matrix: &Matrix<D::Element>) -> Option<
     }
     let mut minors: Vec<Option<D::Element>> = vec![None; 1 << n];
     minors[0] = Some(field.integer(1));
-    Some(minor(field, matrix, (1 << n) - 1, &mut minors))
+    let all = (1 << n) - 1;
+    Some(minor(field, matrix, all, &mut minors, &mut 0))
 }
 
 /// The minor of the rows in `rows` (a bit set) and the last `|rows|` columns.
@@ -32,6 +34,7 @@ fn minor<D: Domain>(
     matrix: &Matrix<D::Element>,
     rows: usize,
     minors: &mut Vec<Option<D::Element>>,
+    kept: &mut usize,
 ) -> D::Element {
     if let Some(known) = &minors[rows] {
         return known.clone();
@@ -42,7 +45,7 @@ fn minor<D: Domain>(
     for i in (0..matrix.rows()).filter(|i| rows >> i & 1 == 1) {
         let entry = &matrix[(i, column)];
         if !field.is_zero(entry) {
-            let term = field.multiply(entry, &minor(field, matrix, rows & !(1 << i), minors));
+            let term = field.multiply(entry, &minor(field, matrix, rows & !(1 << i), minors, kept));
             sum = if positive {
                 field.add(&sum, &term)
             } else {
@@ -51,6 +54,9 @@ fn minor<D: Domain>(
         }
         positive = !positive;
     }
+    // All minors are kept: together they are held to what one object may take.
+    *kept = kept.saturating_add(field.size(&sum));
+    allowance::reserve(kept.saturating_mul(field.bytes_of_a_term()));
     minors[rows] = Some(sum.clone());
     sum
 }

@@ -311,7 +311,7 @@ impl<'m> Checker<'m> {
         }
         match &failure.kind {
             FailureKind::Unsupported { what } => Unusable::Outside(what.clone()),
-            FailureKind::Budget { .. } => Unusable::Limit,
+            FailureKind::Budget { .. } | FailureKind::Exhausted { .. } => Unusable::Limit,
             FailureKind::DivisionByZero => Unusable::Vanishing,
             FailureKind::Shape { .. }
             | FailureKind::Exponent { .. }

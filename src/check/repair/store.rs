@@ -433,7 +433,12 @@ impl<'m> Store<'m> {
         let value = match value {
             Ok(value) => value,
             // Another reserve of letters may be enough.
-            Err(failure) if matches!(failure.kind, FailureKind::Budget { .. }) => {
+            Err(failure)
+                if matches!(
+                    failure.kind,
+                    FailureKind::Budget { .. } | FailureKind::Exhausted { .. }
+                ) =>
+            {
                 return Residue::Unknown;
             }
             Err(_) => return Residue::Absent,

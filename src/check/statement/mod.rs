@@ -17,6 +17,7 @@ mod sign;
 
 use super::Checker;
 use super::admissible::Admissible;
+use super::bounded;
 use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Value};
 use crate::expr::Expr;
@@ -128,9 +129,12 @@ impl Checker<'_> {
                 });
             }
             for (k, proposition) in statement.propositions.iter().enumerate() {
-                let found = match self.proposition(proposition, &ground, &mut units) {
-                    Ok(found) => found,
-                    Err(failure) => Found::undecided(self.reason_of(&failure)),
+                let found =
+                    self.bounded(|checker| checker.proposition(proposition, &ground, &mut units));
+                let found = match found {
+                    Ok(Ok(found)) => found,
+                    Ok(Err(failure)) => Found::undecided(self.reason_of(&failure)),
+                    Err(exhausted) => Found::undecided(bounded::words(exhausted).to_string()),
                 };
                 debug_assert!(found.signs.iter().all(SignCertificate::verify));
                 outcomes.push(StatementOutcome {

@@ -1,0 +1,137 @@
+//! An allowance: what all computations of a thread may use together, whether or not they were given a [`Budget`].
+//!
+//! Operators such as `+` have no budget and no error to return. Where an allowance is in force they end at
+//! its limit nevertheless: the computation unwinds, without the panic hook, to the [`within`] that granted it,
+//! as queries that are cancelled do in salsa. No result that was cut short is ever seen. Steps are those of
+//! [`Budget`](crate::Budget); bytes are those of one polynomial or of one list of products. Without an
+//! allowance nothing changes.
+
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What ended a computation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exhausted {
+    /// The steps were spent.
+    Steps,
+    /// One object would have taken more memory than allowed.
+    Memory,
+    /// Somebody asked all computations to [stop](interrupt).
+    Interrupted,
+}
+
+/// How much is allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Allowance {
+    /// Steps in all.
+    pub steps: u64,
+    /// Bytes of one polynomial or list of products.
+    pub bytes: usize,
+}
+
+#[derive(Clone, Copy)]
+struct Left {
+    in_force: bool,
+    steps: u64,
+    bytes: usize,
+}
+
+thread_local! {
+    static LEFT: Cell<Left> = const {
+        Cell::new(Left { in_force: false, steps: u64::MAX, bytes: usize::MAX })
+    };
+}
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// Asks whatever runs under an allowance, on any thread, to end.
+pub fn interrupt() {
+    INTERRUPTED.store(true, Ordering::Relaxed);
+}
+
+/// Runs `work` under an allowance of its own; what it spends counts for an outer one too.
+///
+/// # Errors
+/// What ran out. What `work` was changing is then in the middle of it: the caller puts it right.
+pub fn within<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
+    let outer = LEFT.replace(Left {
+        in_force: true,
+        steps: allowed.steps,
+        bytes: allowed.bytes,
+    });
+    let result = catch_unwind(AssertUnwindSafe(work));
+    let spent = allowed.steps - LEFT.get().steps;
+    LEFT.set(Left {
+        steps: outer.steps.saturating_sub(spent),
+        ..outer
+    });
+    result.map_err(|payload| match payload.downcast::<Exhausted>() {
+        Ok(exhausted) => *exhausted,
+        Err(panic) => resume_unwind(panic),
+    })
+}
+
+/// The steps that are left; all there are where no allowance is in force.
+pub fn steps_left() -> u64 {
+    LEFT.get().steps
+}
+
+/// Counts steps, and ends the computation where they are more than are left.
+pub fn spend(steps: u64) {
+    let left = LEFT.get();
+    if !left.in_force {
+        return;
+    }
+    if INTERRUPTED.load(Ordering::Relaxed) {
+        stop(Exhausted::Interrupted);
+    }
+    match left.steps.checked_sub(steps) {
+        Some(steps) => LEFT.set(Left { steps, ..left }),
+        None => {
+            LEFT.set(Left { steps: 0, ..left });
+            stop(Exhausted::Steps)
+        }
+    }
+}
+
+/// Ends the computation where so many bytes are more than one object may take.
+pub fn reserve(bytes: usize) {
+    let left = LEFT.get();
+    if left.in_force && bytes > left.bytes {
+        stop(Exhausted::Memory);
+    }
+}
+
+fn stop(why: Exhausted) -> ! {
+    resume_unwind(Box::new(why))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Order, Polynomial, Ring};
+
+    #[test]
+    fn operators_end_at_the_allowance_and_the_next_one_is_whole() {
+        let ring = Ring::new(&["a", "b", "c", "d"], Order::Grevlex).unwrap();
+        let f = Polynomial::parse(ring, "a + b + c + d").unwrap();
+        let allowed = |steps, bytes| Allowance { steps, bytes };
+        let power = |n| f.pow(n).len();
+        assert_eq!(
+            within(allowed(1_000, 1 << 20), || power(60)),
+            Err(Exhausted::Steps)
+        );
+        assert_eq!(
+            within(allowed(u64::MAX, 10_000), || power(60)),
+            Err(Exhausted::Memory)
+        );
+        assert_eq!(within(allowed(1_000_000, 1 << 20), || power(3)), Ok(20));
+        let nested = within(allowed(1_000_000, 1 << 20), || {
+            let inner = within(allowed(10, 1 << 20), || power(60));
+            (inner, steps_left() < 1_000_000, power(3))
+        });
+        assert_eq!(nested, Ok((Err(Exhausted::Steps), true, 20)));
+        assert_eq!(power(10), 286, "nothing is in force afterwards");
+    }
+}

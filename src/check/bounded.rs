@@ -1,0 +1,107 @@
+//! What a link, a statement or a definition may cost, and what becomes of it where it costs more.
+//!
+//! The exact engine counts its steps against an [`allowance`] and ends in the middle of an operation where they
+//! are spent, where one polynomial would take too much memory, or where the user wants to stop. The checker is
+//! then put back to where it was before: nothing of what was cut short is kept, the link is undecided and says
+//! why, and the next one begins with an allowance of its own. A document has steps in all besides; once they
+//! are spent each link gets a small allowance only, so that many dear links end too. Steps are counted,
+//! so that the same document has the same verdicts everywhere.
+
+use super::Checker;
+use crate::progress::interrupted;
+use ratpoly::allowance::{self, Allowance, Exhausted};
+
+/// The most steps of one stage of a link: its proof, a second route, the search for a correction.
+const STEPS: u64 = 1_500_000_000;
+/// How many such stages a link has.
+const STAGES: u64 = 4;
+/// The least, however much the others have cost.
+const FEWEST_STEPS: u64 = 50_000_000;
+/// The steps of a document, of which each takes its own.
+const DOCUMENT_STEPS: u64 = 20_000_000_000;
+/// The bytes of one polynomial.
+const BYTES: usize = 32 << 20;
+
+/// What the stages around the links of a document may cost.
+pub(crate) const WHOLE: Allowance = Allowance {
+    steps: 4 * DOCUMENT_STEPS,
+    bytes: BYTES,
+};
+
+/// The steps that a document has left.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pool {
+    steps: u64,
+    /// Whether a computation of a link is under way, of which others are parts.
+    in_use: bool,
+}
+
+impl Default for Pool {
+    fn default() -> Self {
+        Pool {
+            steps: DOCUMENT_STEPS,
+            in_use: false,
+        }
+    }
+}
+
+/// What was too large, in words.
+pub(crate) fn words(exhausted: Exhausted) -> &'static str {
+    match exhausted {
+        Exhausted::Steps => "too many steps of the exact engine",
+        Exhausted::Memory => "too many terms: a polynomial would take too much memory",
+        Exhausted::Interrupted => "interrupted",
+    }
+}
+
+impl Checker<'_> {
+    /// What the next computation may cost.
+    pub(super) fn allowance(&self) -> Allowance {
+        Allowance {
+            steps: self.pool.steps.clamp(FEWEST_STEPS, STEPS),
+            bytes: BYTES,
+        }
+    }
+
+    /// Runs `work` under an allowance of its own. Where it is cut short the checker is as before.
+    ///
+    /// # Errors
+    /// What ran out.
+    pub(crate) fn bounded<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> Result<T, Exhausted> {
+        if interrupted() {
+            return Err(Exhausted::Interrupted);
+        }
+        let nested = std::mem::replace(&mut self.pool.in_use, true);
+        let mut allowed = self.allowance();
+        if !nested {
+            allowed.steps *= STAGES;
+        }
+        let spare = self.exact.spare();
+        let inserted = self.inserted.clone();
+        let supposed = self.supposed.clone();
+        let options = self.options;
+        let noted = self.diagnostics.len();
+        let found = allowance::within(allowed, || {
+            let result = work(self);
+            (result, allowance::steps_left())
+        });
+        let left = found.as_ref().map_or(0, |(_, left)| *left);
+        self.pool.in_use = nested;
+        if !nested {
+            let spent = allowed.steps - left;
+            self.pool.steps = self.pool.steps.saturating_sub(spent);
+        }
+        match found {
+            Ok((result, _)) => Ok(result),
+            Err(exhausted) => {
+                self.exact = spare;
+                self.inserted = inserted;
+                self.supposed = supposed;
+                self.options = options;
+                self.diagnostics.truncate(noted);
+                self.failure = None;
+                Err(exhausted)
+            }
+        }
+    }
+}
