@@ -9,7 +9,7 @@ use crate::inspection::Inspection;
 use crate::methods::Methods;
 use crate::mutation::{self, Mutation};
 use crate::paper::papers;
-use crate::progress::{INTERRUPTED_CODE, Terminal, Watch};
+use crate::progress::{self, INTERRUPTED_CODE, Terminal, Watch};
 use crate::report::difference::{self, Recorded};
 use crate::report::mutation as mutation_report;
 use crate::report::output::{self, Pdf};
@@ -232,6 +232,7 @@ fn audits(
     });
     let mut found: Vec<_> = order.into_iter().zip(found).collect();
     found.sort_by_key(|(k, _)| *k);
+    progress::printing();
     let mut audits = Vec::new();
     let mut rejections = Vec::new();
     for audit in found.into_iter().filter_map(|(_, audit)| audit) {

@@ -74,6 +74,11 @@ pub trait Domain {
         lyapunov::solve(self, a, q)
     }
 
+    /// What the evaluation of a node counts in the steps of an [`allowance`].
+    fn node_steps(&self) -> u64 {
+        10
+    }
+
     /// About how many bytes each of the terms takes that [`size`](Domain::size) counts.
     fn bytes_of_a_term(&self) -> usize {
         64
@@ -210,6 +215,9 @@ impl Domain for Symbolic {
     }
     fn size(&self, element: &RationalFunction) -> usize {
         element.numerator().len() + element.denominator().len()
+    }
+    fn node_steps(&self) -> u64 {
+        300
     }
     fn bytes_of_a_term(&self) -> usize {
         32 + 8 * self.ring.len()

@@ -38,6 +38,17 @@ impl Watch for Unwatched {
 /// Whether Ctrl-C was pressed.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// Whether what was found is being printed.
+static PRINTING: AtomicBool = AtomicBool::new(false);
+
+/// How long after Ctrl-C a run has to end by itself.
+const GRACE: Duration = Duration::from_millis(1200);
+
+/// Says that what was found is printed from now on.
+pub fn printing() {
+    PRINTING.store(true, Ordering::SeqCst);
+}
+
 /// Whether a long search shall end with what it has: it is asked within it, far oftener than once a second.
 pub fn interrupted() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
@@ -63,6 +74,14 @@ impl Terminal {
             if INTERRUPTED.swap(true, Ordering::SeqCst) {
                 std::process::exit(INTERRUPTED_CODE.into());
             }
+            // What looks for neither of the two ends with the process, unless results are being printed.
+            std::thread::spawn(|| {
+                std::thread::sleep(GRACE);
+                if !PRINTING.load(Ordering::SeqCst) {
+                    eprintln!("interrupted: nothing was finished");
+                    std::process::exit(INTERRUPTED_CODE.into());
+                }
+            });
         });
         Terminal {
             bar: Mutex::new(None),

@@ -31,6 +31,12 @@ impl Polynomial {
         )
     }
 
+    /// Holds this polynomial to the memory that one may take.
+    fn allow(&self) {
+        let bytes = 24 + 8 * self.ring.len() + self.coefficient_bits() as usize / 8;
+        allowance::reserve(self.len().saturating_mul(bytes));
+    }
+
     /// Counts a sum against the allowance of the thread, before it is formed.
     pub(crate) fn allow_sum(&self, other: &Polynomial) {
         let terms = self.len() + other.len();
@@ -62,7 +68,10 @@ impl Polynomial {
             multiply(a, b, layout_of(a, ring), budget).map(|list| self.with(list))
         });
         match product {
-            Ok(product) => Ok(product),
+            Ok(product) => {
+                product.allow();
+                Ok(product)
+            }
             Err(Failure::Error(error)) => Err(error),
             Err(Failure::Layout) => self.mul_wider(other, budget),
         }

@@ -21,6 +21,9 @@ use num_bigint::BigInt;
 /// Up to this many products nothing is planned: they are formed and sorted.
 const SMALL: usize = 256;
 
+/// The bytes of products that are formed before they are sorted and added.
+const WAITING: usize = 16 << 20;
+
 /// Why a product was not formed.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -147,17 +150,26 @@ fn products<M: PackedMonomial, C: Additive, A: ProductsOf<C>>(
             return window::multiply::<M, C, A, _>(f, g, layout, &plan, budget.terms());
         }
     }
-    allowance::reserve(bytes::<M, A>(f.len().saturating_mul(g.len()), layout));
-    let mut all: Vec<Term<M, A>> = Vec::with_capacity(f.len() * g.len());
-    for a in f {
-        for b in g {
-            all.push(Term {
-                monomial: a.monomial.product(&b.monomial),
-                coefficient: A::product(&a.coefficient, &b.coefficient),
-            });
+    // Some rows at a time, so that never many products wait that will meet equal ones.
+    let row = bytes::<M, A>(g.len(), layout).max(1);
+    let mut list = TermList::new();
+    for rows in f.chunks((WAITING / row).max(1)) {
+        let mut all: Vec<Term<M, A>> = Vec::with_capacity(rows.len() * g.len());
+        for a in rows {
+            for b in g {
+                all.push(Term {
+                    monomial: a.monomial.product(&b.monomial),
+                    coefficient: A::product(&a.coefficient, &b.coefficient),
+                });
+            }
         }
+        let part = A::collect(all);
+        list = match list.len() {
+            0 => part,
+            _ => list.merge::<false>(&part),
+        };
+        allowance::reserve(bytes::<M, C>(list.len(), layout));
     }
-    let list = A::collect(all);
     if list.len() > budget.terms() {
         return Err(Error::BudgetExceeded(Resource::Terms));
     }

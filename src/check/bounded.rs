@@ -12,15 +12,15 @@ use crate::progress::interrupted;
 use ratpoly::allowance::{self, Allowance, Exhausted};
 
 /// The most steps of one stage of a link: its proof, a second route, the search for a correction.
-const STEPS: u64 = 1_500_000_000;
+const STEPS: u64 = 600_000_000;
 /// How many such stages a link has.
-const STAGES: u64 = 4;
+const STAGES: u64 = 6;
 /// The least, however much the others have cost.
 const FEWEST_STEPS: u64 = 50_000_000;
 /// The steps of a document, of which each takes its own.
 const DOCUMENT_STEPS: u64 = 20_000_000_000;
 /// The bytes of one polynomial.
-const BYTES: usize = 32 << 20;
+pub(super) const BYTES: usize = 32 << 20;
 
 /// What the stages around the links of a document may cost.
 pub(crate) const WHOLE: Allowance = Allowance {

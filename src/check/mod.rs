@@ -39,7 +39,7 @@ mod words;
 pub(crate) use recalled::recalled_and_false;
 
 use crate::diagnostic::Diagnostic;
-use crate::domain::Symbolic;
+use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
 use crate::expr::Display;
 use crate::model::{Letter, Model, Node};
@@ -47,6 +47,7 @@ use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
 use hypotheses::Supposed;
+use ratpoly::allowance::Exhausted;
 use ratpoly::{RationalFunction, allowance};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -224,6 +225,10 @@ impl<'m> Checker<'m> {
         let mut without_value = self.exact.without_value().clone();
         without_value.retain(|node, _| !abbreviation(node));
         self.exact.set_without_value(without_value);
+        let mut kept = 0;
+        let term = self.exact.field.bytes_of_a_term();
+        let bytes =
+            |f: &RationalFunction| term.saturating_mul(f.numerator().len() + f.denominator().len());
         let mut expanding = self.exact.anew();
         expanding.keep_abbreviations = false;
         for (letter, kind) in model.letters.iter().enumerate() {
@@ -239,7 +244,14 @@ impl<'m> Checker<'m> {
                     Err(Failure::new(FailureKind::Exhausted { what }, span))
                 });
                 match found {
+                    // All of them are kept as long as the checker is.
+                    Ok(Value::Scalar(value)) if kept + bytes(&value) > bounded::BYTES => {
+                        let what = bounded::words(Exhausted::Memory).into();
+                        let kind = FailureKind::Exhausted { what };
+                        self.exact.has_no_value(Node::Definition(*definition), kind);
+                    }
                     Ok(Value::Scalar(value)) => {
+                        kept += bytes(&value);
                         self.inserted.insert(letter, value);
                     }
                     Ok(_) => {}

@@ -45,8 +45,8 @@ const LONGEST_CHAIN: usize = 5_000;
 const LARGEST_PRODUCT: usize = 500_000;
 /// The largest number of terms of sums inside of sums together.
 const MOST_TERMS: u64 = 200_000;
-/// What the evaluation of a node counts in the steps of an [`allowance`].
-const NODE_STEPS: u64 = 300;
+/// The most bytes of values that are kept: then they are forgotten, and computed again where they are needed.
+const MOST_KEPT: usize = 64 << 20;
 
 /// A divisor that must not vanish.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,6 +108,8 @@ pub struct Evaluator<'m, D: Domain> {
     bound: Vec<(String, i64)>,
     /// How many terms the sums have together that are being added up.
     running: u64,
+    /// About how many bytes the known values have.
+    kept: usize,
     /// How many rows the next matrix should have where zeros of any shape leave that open.
     wanted_rows: Option<usize>,
     /// What the systems that are equations of a stationary state are about.
@@ -158,6 +160,7 @@ impl<'m, D: Domain> Evaluator<'m, D> {
             trial: BTreeMap::new(),
             bound: Vec::new(),
             running: 1,
+            kept: 0,
             wanted_rows: None,
             stationary: BTreeMap::new(),
             without_value: BTreeMap::new(),
@@ -338,7 +341,7 @@ impl<'m, D: Domain> Evaluator<'m, D> {
     /// A [`Failure`] with its place.
     pub fn expression(&mut self, expr: &Expr) -> Result<Value<D::Element>, Failure> {
         let span = expr.span;
-        allowance::spend(NODE_STEPS);
+        allowance::spend(self.field.node_steps());
         match &expr.kind {
             ExprKind::Number(number) => self
                 .field

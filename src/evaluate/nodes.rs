@@ -1,6 +1,6 @@
 //! The values of names: symbols, definitions, families, notation, and their time derivatives.
 
-use super::{Evaluator, Failure, FailureKind, Key, Known, Value};
+use super::{Evaluator, Failure, FailureKind, Key, Known, MOST_KEPT, Value};
 use crate::domain::Domain;
 use crate::expr::{Expr, Name};
 use crate::matrix::Matrix;
@@ -187,6 +187,15 @@ impl<D: Domain> Evaluator<'_, D> {
         // While unknowns hold trial values nothing computed from them may outlive the trial, and a
         // value by cases is that of one case.
         if self.trial.is_empty() && self.cases_met == 0 {
+            let terms = value.entries().into_iter().map(|e| self.field.size(e));
+            let bytes = terms
+                .sum::<usize>()
+                .saturating_mul(self.field.bytes_of_a_term());
+            if self.kept.saturating_add(bytes) > MOST_KEPT {
+                self.known.clear();
+                self.kept = 0;
+            }
+            self.kept = self.kept.saturating_add(bytes);
             let conditions = self.conditions.get(conditions_from..).unwrap_or_default();
             let known = Known {
                 value,

@@ -242,10 +242,7 @@ impl FunctionTable {
     }
 
     pub(super) fn imaginary_letter(&self) -> Option<usize> {
-        self.all()
-            .into_iter()
-            .find(|(_, f)| *f == FunctionLetter::ImaginaryUnit)
-            .map(|(letter, _)| letter)
+        self.place_of(&FunctionLetter::ImaginaryUnit)
     }
 
     /// The factors of numerator and denominator together, with their multiplicities.

@@ -44,7 +44,7 @@ use crate::expr::Function;
 use crate::model::range::Range;
 use integral::End;
 use quadratic::Quadratic;
-use ratpoly::{Polynomial, RationalFunction, Ring};
+use ratpoly::{Polynomial, RationalFunction, Ring, allowance};
 use refinement::Finer;
 use sign::KnownSigns;
 use std::cmp::Ordering;
@@ -256,8 +256,17 @@ impl FunctionTable {
         self.lock().letters.get(place).cloned()
     }
 
+    /// The letter of a function, if it has one already.
+    pub(crate) fn place_of(&self, function: &FunctionLetter) -> Option<usize> {
+        let given = self.lock();
+        let mut letters = given.letters.iter();
+        Some(self.first + letters.position(|known| known == function)?)
+    }
+
     /// The functions so far, each with its letter.
     pub fn all(&self) -> Vec<(usize, FunctionLetter)> {
+        // All are copied, and are as many monomials of all letters at least.
+        allowance::spend((self.given_out() * self.ring.len()) as u64);
         (self.first..)
             .zip(self.lock().letters.iter().cloned())
             .collect()

@@ -224,7 +224,7 @@ impl Model {
     /// The values of an abbreviation: positive where it is put together from positive parts, complex
     /// where a part is.
     fn range_of_definition(&self, d: usize) -> Range {
-        if self.is_positive_definition(d) {
+        if self.is_positive_definition(d, &mut BTreeMap::new()) {
             return Range::positive();
         }
         let definition = &self.definitions[d];
@@ -250,8 +250,12 @@ impl Model {
         range
     }
 
-    /// Whether an abbreviation is put together from positive parts without a minus sign.
-    fn is_positive_definition(&self, d: usize) -> bool {
+    /// Whether an abbreviation is put together from positive parts without a minus sign; each is looked at
+    /// once, however often it occurs.
+    fn is_positive_definition(&self, d: usize, seen: &mut BTreeMap<usize, bool>) -> bool {
+        if let Some(known) = seen.get(&d) {
+            return *known;
+        }
         let definition = &self.definitions[d];
         let display = &self.equations[definition.equation].display;
         let Some(value) = definition.place.find(display) else {
@@ -265,13 +269,14 @@ impl Model {
                 positive &= match self.names.whole.get(&latex::canonical(name)) {
                     Some(Node::Symbol(s)) => self.symbols[*s].range.is_positive(),
                     Some(Node::Definition(other)) => {
-                        *other < d && self.is_positive_definition(*other)
+                        *other < d && self.is_positive_definition(*other, seen)
                     }
                     _ => false,
                 };
             }
             _ => {}
         });
+        seen.insert(d, positive);
         positive
     }
 

@@ -2,6 +2,7 @@
 
 use crate::domain::Domain;
 use crate::matrix::Matrix;
+use ratpoly::allowance;
 
 /// `left + right`; `None` when the shapes differ.
 pub fn add<D: Domain>(
@@ -44,6 +45,7 @@ pub fn multiply<D: Domain>(
     left: &Matrix<D::Element>,
     right: &Matrix<D::Element>,
 ) -> Option<Matrix<D::Element>> {
+    let mut kept = 0usize;
     (left.columns() == right.rows()).then(|| {
         Matrix::from_fn(left.rows(), right.columns(), |i, j| {
             let mut sum = field.integer(0);
@@ -53,6 +55,9 @@ pub fn multiply<D: Domain>(
                     sum = field.add(&sum, &field.multiply(&left[(i, k)], &right[(k, j)]));
                 }
             }
+            // All entries together are held to what one object may take.
+            kept = kept.saturating_add(field.size(&sum));
+            allowance::reserve(kept.saturating_mul(field.bytes_of_a_term()));
             sum
         })
     })

@@ -254,26 +254,10 @@ impl<'m> Checker<'m> {
                 continue;
             }
             self.exact.correct(equation, corrected.clone());
-            let decision = match self.sides(equation, link) {
-                Ok(entries) => {
-                    let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
-                    trial.spent.work += PROOF + work::exact(values);
-                    self.decide_true(&entries, equation)
-                        .map(|decision| (decision, entries))
-                }
-                Err(_) => continue,
-            };
-            let (given, proof) = match decision {
-                Ok((Decision::Holds(by), entries)) => {
-                    (None, self.proved(equation, link, &entries, &by, None))
-                }
-                Ok((Decision::HoldsGiven(by, given), _)) => {
-                    let proof = self.proved(equation, link, &[], &by, Some(&given));
-                    (Some(given), proof)
-                }
-                _ => continue,
-            };
-            let Some(proof) = proof else {
+            let spent = &mut trial.spent.work;
+            // One that is too dear is none; the others are still looked at.
+            let proof = self.bounded(|checker| checker.proof_of(equation, link, spent));
+            let Ok(Some((given, proof))) = proof else {
                 continue;
             };
             proved.push(Proved {
@@ -341,6 +325,31 @@ impl<'m> Checker<'m> {
             rejected,
         };
         Some(correction)
+    }
+}
+
+impl Checker<'_> {
+    /// The proof of a link as it stands now, and the relation that it needs.
+    fn proof_of(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        spent: &mut u64,
+    ) -> Option<(Option<Given>, Proof)> {
+        let entries = self.sides(equation, link).ok()?;
+        let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
+        *spent += PROOF + work::exact(values);
+        match self.decide_true(&entries, equation) {
+            Ok(Decision::Holds(by)) => {
+                let proof = self.proved(equation, link, &entries, &by, None)?;
+                Some((None, proof))
+            }
+            Ok(Decision::HoldsGiven(by, given)) => {
+                let proof = self.proved(equation, link, &[], &by, Some(&given))?;
+                Some((Some(given), proof))
+            }
+            Ok(Decision::Follows(..) | Decision::Refuted(_) | Decision::False(..)) | Err(_) => None,
+        }
     }
 }
 
