@@ -49,7 +49,7 @@ pub fn table(inspection: &Inspection, style: Style) -> String {
         table.add_row(vec![
             Cell::new(row.number),
             Cell::new(word).fg(colour),
-            Cell::new(row.reason.to_plain()),
+            Cell::new(shortened(row.reason.to_plain())),
         ]);
     }
     if let Some(column) = table.column_mut(2) {
@@ -81,6 +81,18 @@ pub fn table(inspection: &Inspection, style: Style) -> String {
         out += &format!("\n {line}");
     }
     if out.ends_with('\n') { out } else { out + "\n" }
+}
+
+/// The most characters of a reason: a table has no wider columns.
+const WIDEST: usize = 4_000;
+
+/// A text that is too long for a table, such as one with a number of thousands of digits, cut where nobody
+/// reads on; JSON has it whole.
+fn shortened(text: String) -> String {
+    match text.char_indices().nth(WIDEST) {
+        Some((end, _)) => format!("{} ... ({} bytes)", &text[..end], text.len()),
+        None => text,
+    }
 }
 
 fn colour(word: VerdictWord) -> Color {

@@ -9,6 +9,7 @@ mod orthant;
 mod product;
 mod samples;
 
+use crate::allowance;
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::polynomial::Polynomial;
@@ -336,6 +337,8 @@ impl Moebius {
     }
 
     pub(crate) fn value(&self, t: &BigRational) -> BigRational {
+        // Two quotients in lowest terms; points are taken for each of the variables, many times over.
+        allowance::spend(40 + 8 * (t.numer().bits() + t.denom().bits()) / 64);
         (t * &self.b + &self.a) / (t * &self.d + &self.c)
     }
 
