@@ -161,7 +161,9 @@ impl<'m> Checker<'m> {
 
     fn points_apart(&self, equation: usize, link: &Link) -> Challenge {
         let world = self.world(None);
-        let hypotheses = &self.model.equations[equation].assume;
+        let printed = &self.model.equations[equation];
+        // What the document states is meant too, though it is not printed.
+        let hypotheses = printed.assume.iter().chain(&printed.given);
         let mut budget = Budget::default();
         if link.relation != Relation::Equal {
             // An equation that is false is so nearly everywhere, an inequality perhaps only somewhere.

@@ -86,8 +86,8 @@ impl Checker<'_> {
             }
         } else if link.relation != Relation::Equal {
             let verdict = match self.inequality(equation, link, positivity) {
-                Verdict::Refuted(refutation) => self
-                    .under_stated(equation, link, &refutation)
+                Verdict::Refuted(mut refutation) => self
+                    .under_stated(equation, link, &mut refutation)
                     .unwrap_or(Verdict::Refuted(refutation)),
                 verdict => verdict,
             };
@@ -269,7 +269,7 @@ impl Checker<'_> {
                     Ok(refutation) => refutation,
                     Err(reason) => return Verdict::Undecided { reason },
                 };
-                if let Some(verdict) = self.under_stated(equation, link, &refutation) {
+                if let Some(verdict) = self.under_stated(equation, link, &mut refutation) {
                     return verdict;
                 }
                 // What it lacks is a hypothesis; an edit would be an invention.

@@ -205,6 +205,11 @@ impl Admissible {
         if let Some(drawn) = &drawn {
             found = self.sign_of_quotient(drawn, &budget);
         }
+        // Letters of functions are not free, and hypotheses may exclude a point of the box: that a
+        // change is found there says nothing, and what is known beside the box may tell the sign.
+        if matches!(found, RegionSign::Changes { .. }) && (self.has_functions(f) || self.in_force) {
+            found = RegionSign::Undecided;
+        }
         if found == RegionSign::Undecided
             && let Some(table) = &self.table
             && self.entries.iter().all(|(l, _)| !occurs(f, *l))
@@ -221,9 +226,6 @@ impl Admissible {
         }
         match found {
             RegionSign::Changes { positive, negative } => {
-                if self.has_functions(f) || self.in_force {
-                    return RegionSign::Undecided;
-                }
                 let points = [positive, negative].map(|p| self.back(p));
                 self.change_at(f, points)
             }

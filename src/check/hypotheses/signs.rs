@@ -62,6 +62,23 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether a function certainly has no zero where all that is supposed holds: none of the factors of
+    /// its numerator has one.
+    pub(in crate::check) fn vanishes_nowhere(&self, f: &RationalFunction) -> bool {
+        let never = |p: &Polynomial| {
+            self.signs(p).excludes_zero()
+                || self
+                    .supposed
+                    .relations
+                    .iter()
+                    .any(|r| self.signs_modulo(p, r).excludes_zero())
+        };
+        match factors(f.numerator()) {
+            Ok(all) => all.factors.iter().all(|(factor, _)| never(factor)),
+            Err(_) => false,
+        }
+    }
+
     /// The signs of a polynomial where a relation holds: of its sums with multiples of the relation in
     /// which a term of both cancels.
     fn signs_modulo(&self, p: &Polynomial, relation: &Polynomial) -> Signs {
