@@ -13,12 +13,12 @@ use num_traits::{One, Signed, Zero};
 use ratpoly::RationalFunction;
 
 /// Binary digits of the ends.
-const DIGITS: u32 = 60;
+const DIGITS: u32 = 24;
 /// Ends of arguments beyond this are not looked at.
 const LARGEST: i64 = 1_000;
 
 /// Functions that grow with their argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Increasing {
     Exponential,
     Logarithm,
@@ -59,14 +59,13 @@ impl FunctionTable {
         let Some(own) = self.argument_range(argument) else {
             return;
         };
-        let scale = BigRational::from_integer(BigInt::one() << DIGITS);
         let near = |end: &End| end.value.abs() <= BigRational::from_integer(LARGEST.into());
         if let Some(end) = own.low.as_ref().filter(|end| near(end)) {
             match function.exactly(&end.value) {
                 Some(value) => range.raise(value, end.included),
                 None => {
-                    if let Some(found) = function.enclosed(&end.value) {
-                        range.raise((&found.low * &scale).floor() / &scale, true);
+                    if let Some((low, _)) = self.known_end(function, &end.value) {
+                        range.raise(low, true);
                     }
                 }
             }
@@ -75,12 +74,31 @@ impl FunctionTable {
             match function.exactly(&end.value) {
                 Some(value) => range.lower(value, end.included),
                 None => {
-                    if let Some(found) = function.enclosed(&end.value) {
-                        range.lower((&found.high * &scale).ceil() / &scale, true);
+                    if let Some((_, high)) = self.known_end(function, &end.value) {
+                        range.lower(high, true);
                     }
                 }
             }
         }
+    }
+
+    /// Short rational numbers below and above a value: the same ones are asked for again and again.
+    fn known_end(
+        &self,
+        function: Increasing,
+        at: &BigRational,
+    ) -> Option<(BigRational, BigRational)> {
+        let key = (function, at.clone());
+        if let Some(found) = self.known_signs().ends.get(&key) {
+            return found.clone();
+        }
+        let scale = BigRational::from_integer(BigInt::one() << DIGITS);
+        let found = function.enclosed(at).map(|found| {
+            let low = (&found.low * &scale).floor() / &scale;
+            (low, (&found.high * &scale).ceil() / &scale)
+        });
+        self.known_signs().ends.insert(key, found.clone());
+        found
     }
 
     /// Between which numbers a sum of real letters with numbers as factors lies.

@@ -439,7 +439,7 @@ const INCREASING: [Increasing; 8] = [
 fn increasing_functions_in_a_supposed_range() {
     let mut random = Random::new(13);
     let mut all: Vec<Relative> = Vec::new();
-    while all.len() < 260 {
+    while all.len() < 48 {
         let (printed, f) = *random.pick(&INCREASING);
         let positive = printed.contains("ln") || printed.contains("sqrt");
         let (low, size) = (
@@ -590,8 +590,8 @@ fn limits_under_hypotheses() {
         ("a + x", "x > 0", true),
     ] {
         for (right, printed) in [(true, above), (false, !above)] {
-            for shape in ["({p})c", r"\frac{c^2}{{p}}", r"({p})^3c^2 + c"] {
-                let value = shape.replace("{p}", &format!("{{{p}}}"));
+            for shape in ["c({p})", r"\frac{c^2}{ {p} }", r"({p})^3c^2 + c"] {
+                let value = shape.replace("{p}", p.trim_matches(['(', ')']));
                 let claim = format!(
                     r"c \to \infty, \quad {value} \to {}\infty",
                     one_way(printed)

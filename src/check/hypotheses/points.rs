@@ -25,6 +25,8 @@ use std::collections::BTreeSet;
 const TRIES: usize = 240;
 /// How many points a relation's two signs are looked for at.
 const SIGNS: usize = 60;
+/// At how many points the value of a function is enclosed.
+const ENCLOSED: usize = 6;
 /// Roots are looked for in polynomials of degrees up to this.
 const DEGREE: u32 = 6;
 
@@ -473,8 +475,17 @@ impl Checker<'_> {
             None => super::super::identity::letters_of([inserted]),
         };
         let zero = BigRational::zero();
-        let certainly = |point: Point| {
-            let found = self.certain_value(inserted, &point)?;
+        // Enclosures are dear, and another route looks at more of them.
+        let mut enclosed = 0;
+        let mut certainly = |point: Point| {
+            let found = match self.value_at(inserted, &point) {
+                Some(value) => PointValue::Exact(value),
+                None if enclosed < ENCLOSED => {
+                    enclosed += 1;
+                    self.certain_value(inserted, &point)?
+                }
+                None => return None,
+            };
             let violated = match &found {
                 PointValue::Exact(value) => value.is_negative() || strict && value.is_zero(),
                 PointValue::Between(_, high) => high.is_negative(),
@@ -483,13 +494,13 @@ impl Checker<'_> {
             violated.then_some((point, found))
         };
         let mut points = self.admitted_points(&letters);
-        let (point, found) = points.find_map(certainly).or_else(|| {
+        let (point, found) = points.find_map(&mut certainly).or_else(|| {
             // What is positive but for its zeros is violated at these alone.
             let zeros = match strict {
                 true => self.zeros_where_supposed(inserted),
                 false => Vec::new(),
             };
-            zeros.into_iter().find_map(certainly)
+            zeros.into_iter().find_map(&mut certainly)
         })?;
         let witness = Witness {
             point: self.shown(&point),
