@@ -1,6 +1,8 @@
 //! No false verdict, ever: generated claims whose truth is known by construction or by an
 //! independent evaluator, one family of relatives a module.
 
+#[path = "soundness/admitted.rs"]
+mod admitted;
 #[allow(dead_code)]
 mod common;
 #[path = "soundness/corrections.rs"]

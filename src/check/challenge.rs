@@ -93,7 +93,7 @@ impl<'m> Checker<'m> {
         link: &Link,
         decision: Decision,
     ) -> Result<Refutation, String> {
-        let found = self.points_apart(equation, link);
+        let found = self.points_apart(equation, link, &[]);
         match decision {
             Decision::Refuted(refutation) => {
                 // A second route that knows values elsewhere must find those of this point apart.
@@ -155,13 +155,15 @@ impl<'m> Checker<'m> {
 
     /// A point at which a link that could not be decided is violated.
     pub(super) fn violated(&mut self, equation: usize, link: &Link) -> Option<Refutation> {
-        let shown = self.points_apart(equation, link).apart?;
+        let stated = &self.model.equations[equation].given;
+        let shown = self.points_apart(equation, link, stated).apart?;
         Some(Refutation::at(self.witness_of(&shown)))
     }
 
-    fn points_apart(&self, equation: usize, link: &Link) -> Challenge {
+    fn points_apart(&self, equation: usize, link: &Link, stated: &[Hypothesis]) -> Challenge {
         let world = self.world(None);
-        let hypotheses = &self.model.equations[equation].assume;
+        // What the document states is meant too, though it is not printed.
+        let hypotheses = self.model.equations[equation].assume.iter().chain(stated);
         let mut budget = Budget::default();
         if link.relation != Relation::Equal {
             // An equation that is false is so nearly everywhere, an inequality perhaps only somewhere.

@@ -225,17 +225,22 @@ impl Checker<'_> {
         let Some(difference) = self.spelt_out(&entry.difference()) else {
             return undecided("a denominator vanishes by the definitions");
         };
-        if matches!(
+        let signed = matches!(
             admissible.sign(&difference),
             RegionSign::Positive | RegionSign::Negative
-        ) {
+        );
+        if signed || self.vanishes_nowhere(&difference) {
             let positive = [Fraction::from(&difference)];
             return self.ordered_holds(equation, link, &positive, true, &PositiveBy::Sign);
         }
         let equal = admissible.points(&difference).find(|point| {
             admissible.certain(&difference, point) == Some(PointValue::Exact(zero()))
         });
-        match equal.and_then(|point| self.exact_witness(entry, &point)) {
+        let equal = equal
+            .into_iter()
+            .chain(self.zeros_where_supposed(&difference));
+        let mut witnesses = equal.filter_map(|point| self.exact_witness(entry, &point));
+        match witnesses.next() {
             Some(witness) => {
                 Verdict::Refuted(Refutation::at(witness).with_residual(vec![entry.clone()]))
             }

@@ -88,8 +88,8 @@ impl Checker<'_> {
             }
         } else if link.relation != Relation::Equal {
             let verdict = self.exactly(|c| match c.inequality(equation, link, positivity) {
-                Verdict::Refuted(refutation) => c
-                    .under_stated(equation, link, &refutation)
+                Verdict::Refuted(mut refutation) => c
+                    .under_stated(equation, link, &mut refutation)
                     .unwrap_or(Verdict::Refuted(refutation)),
                 verdict => verdict,
             });
@@ -280,7 +280,7 @@ impl Checker<'_> {
                     Ok(refutation) => refutation,
                     Err(reason) => return Verdict::Undecided { reason },
                 };
-                if let Some(verdict) = self.under_stated(equation, link, &refutation) {
+                if let Some(verdict) = self.under_stated(equation, link, &mut refutation) {
                     return verdict;
                 }
                 // What it lacks is a hypothesis; an edit would be an invention.

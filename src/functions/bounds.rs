@@ -4,6 +4,7 @@
 //! is known to be positive, other functions where their arguments are real. What is not known to be real may
 //! be complex, and nothing that is true of real numbers only is used of it.
 
+use super::monotone::Increasing;
 use super::{FunctionLetter, FunctionTable, Sign};
 use crate::model::range::{End, Numbers, Range};
 use num_bigint::BigInt;
@@ -102,7 +103,11 @@ impl FunctionTable {
         let zero = BigRational::zero;
         let one = BigRational::one;
         match meaning {
-            FunctionLetter::Exponential(u) => self.power_range(self.known_sign(&u)),
+            FunctionLetter::Exponential(u) => {
+                let mut range = self.power_range(self.known_sign(&u));
+                self.narrow_by_argument(&mut range, Increasing::Exponential, &u);
+                range
+            }
             FunctionLetter::Power(base, exponent) => {
                 let above = self.known_sign(&(&RationalFunction::from(base) - &self.integer(1)));
                 let product = above
@@ -112,7 +117,9 @@ impl FunctionTable {
             }
             FunctionLetter::Logarithm(p) => {
                 let mut range = Range::default();
-                match self.known_sign(&(&RationalFunction::from(p) - &self.integer(1))) {
+                let p = RationalFunction::from(p);
+                self.narrow_by_argument(&mut range, Increasing::Logarithm, &p);
+                match self.known_sign(&(&p - &self.integer(1))) {
                     Some(Sign::Positive) => range.raise(zero(), false),
                     Some(Sign::NotNegative) => range.raise(zero(), true),
                     Some(Sign::Negative) => range.lower(zero(), false),
@@ -134,7 +141,9 @@ impl FunctionTable {
             },
             FunctionLetter::Root(p) => {
                 let mut range = Range::default();
-                range.raise(zero(), !self.is_positive(&p.into()));
+                let p = RationalFunction::from(p);
+                range.raise(zero(), !self.is_positive(&p));
+                self.narrow_by_argument(&mut range, Increasing::Root, &p);
                 range
             }
             FunctionLetter::Bound { positive: true, .. } => Range::positive(),

@@ -150,7 +150,7 @@ fn enough() -> BigRational {
 }
 
 /// e^x for one rational number.
-fn exponential(x: &BigRational) -> Option<Interval> {
+pub(super) fn exponential(x: &BigRational) -> Option<Interval> {
     let (r, halvings) = halved(x)?;
     let mut term = Interval::point(BigRational::one());
     let mut sum = term.clone();
@@ -226,7 +226,7 @@ fn pi() -> Interval {
 }
 
 /// The root of a rational number that is not negative, from below and above.
-fn square_root(x: &BigRational) -> Option<Interval> {
+pub(super) fn square_root(x: &BigRational) -> Option<Interval> {
     if x.is_negative() {
         return None;
     }
@@ -241,7 +241,7 @@ fn square_root(x: &BigRational) -> Option<Interval> {
 }
 
 /// ln x for a positive rational number, by 2 artanh((x - 1)/(x + 1)) after taking roots of two.
-fn logarithm(x: &BigRational) -> Option<Interval> {
+pub(super) fn logarithm(x: &BigRational) -> Option<Interval> {
     if !x.is_positive() {
         return None;
     }

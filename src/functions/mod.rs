@@ -27,6 +27,7 @@ pub mod enclosure;
 mod exponential;
 mod exponential_integral;
 pub mod integral;
+mod monotone;
 mod parity;
 pub mod quadratic;
 mod refinement;

@@ -4,6 +4,7 @@
 //! polynomial on the box of its letters' ranges; factors; a sum a + b t with a root t by comparing a^2 with
 //! b^2 t^2; tangents, e^u >= 1 + u and their like. Nothing is sampled, and a certificate says what was used.
 
+use super::monotone::Increasing;
 use super::{FunctionLetter, FunctionTable};
 use crate::model::range::Range;
 use num_rational::BigRational;
@@ -135,6 +136,8 @@ impl SignCertificate {
 pub(super) struct KnownSigns {
     found: HashMap<Polynomial, Option<SignCertificate>>,
     generation: u64,
+    /// Short bounds of increasing functions at rational numbers, which nothing changes.
+    pub(super) ends: HashMap<(Increasing, BigRational), Option<(BigRational, BigRational)>>,
 }
 
 /// The most signs that are kept.
@@ -219,7 +222,7 @@ impl FunctionTable {
         sign
     }
 
-    fn known_signs(&self) -> std::sync::MutexGuard<'_, KnownSigns> {
+    pub(super) fn known_signs(&self) -> std::sync::MutexGuard<'_, KnownSigns> {
         self.signs
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner)

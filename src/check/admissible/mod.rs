@@ -17,12 +17,12 @@ mod points;
 pub(crate) use faces::sign_within;
 
 use super::Checker;
-use crate::functions::{FunctionLetter, FunctionTable, Sign};
+use crate::functions::{FunctionTable, Sign};
 use crate::model::matrices::MatrixEntry;
 use crate::model::range::{Numbers, Range};
 use crate::model::{Letter, Model};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use ratpoly::{Budget, RationalFunction, RegionSign, Ring};
 
 /// Definite matrices of a higher order keep their entries as letters.
@@ -107,42 +107,15 @@ impl Admissible {
     }
 }
 
-/// Bounds of a letter that stands for a function.
+/// Bounds of a letter that stands for a function; one that may be complex has none.
 fn function_range(table: Option<&FunctionTable>, letter: usize) -> Range {
-    let mut range = Range::default();
-    let number = |n: i64, d: i64| BigRational::new(n.into(), d.into());
-    match table.and_then(|table| table.meaning(letter)) {
-        Some(FunctionLetter::Pi) => {
-            range.raise(number(314_159_265, 100_000_000), false);
-            range.lower(number(314_159_266, 100_000_000), false);
-        }
-        Some(
-            FunctionLetter::Exponential(_)
-            | FunctionLetter::Power(..)
-            | FunctionLetter::Bound { positive: true, .. },
-        ) => range.raise(BigRational::zero(), false),
-        Some(FunctionLetter::Root(radicand)) => {
-            // Of what may be negative the root may be imaginary.
-            let sign = table.and_then(|table| table.known_sign(&radicand.into()));
-            match sign {
-                Some(Sign::Positive | Sign::NotNegative | Sign::Zero) => {
-                    range.raise(BigRational::zero(), true);
-                }
-                Some(Sign::Negative | Sign::NotPositive) | None => {
-                    range.numbers = Numbers::Complex;
-                }
-            }
-        }
-        Some(FunctionLetter::Cosine(_) | FunctionLetter::Sine(..)) => {
-            range.raise(-BigRational::one(), true);
-            range.lower(BigRational::one(), true);
-        }
-        Some(FunctionLetter::ImaginaryUnit | FunctionLetter::Dirac(_)) => {
-            range.numbers = Numbers::Complex;
-        }
-        Some(FunctionLetter::Logarithm(_) | FunctionLetter::Bound { .. }) | None => {}
+    match table {
+        Some(table) if table.is_real_letter(letter) => table.letter_range(letter),
+        Some(_) | None => Range {
+            numbers: Numbers::Complex,
+            ..Range::default()
+        },
     }
-    range
 }
 
 impl Admissible {
@@ -205,6 +178,11 @@ impl Admissible {
         if let Some(drawn) = &drawn {
             found = self.sign_of_quotient(drawn, &budget);
         }
+        // Letters of functions are not free, and hypotheses may exclude a point of the box: that a
+        // change is found there says nothing, and what is known beside the box may tell the sign.
+        if matches!(found, RegionSign::Changes { .. }) && (self.has_functions(f) || self.in_force) {
+            found = RegionSign::Undecided;
+        }
         if found == RegionSign::Undecided
             && let Some(table) = &self.table
             && self.entries.iter().all(|(l, _)| !occurs(f, *l))
@@ -221,9 +199,6 @@ impl Admissible {
         }
         match found {
             RegionSign::Changes { positive, negative } => {
-                if self.has_functions(f) || self.in_force {
-                    return RegionSign::Undecided;
-                }
                 let points = [positive, negative].map(|p| self.back(p));
                 self.change_at(f, points)
             }

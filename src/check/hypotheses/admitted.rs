@@ -97,6 +97,7 @@ impl Admitted {
                     ranges[letter] = range(letter);
                 }
             }
+            found = found.and(by_sums(p, &ranges, &self.signs, budget));
             let shifted = by_suppositions(p, &ranges, &self.signs, DEPTH, budget);
             found = found.and(shifted);
         }
@@ -232,6 +233,37 @@ fn inside(p: &Polynomial, ranges: &[Range], budget: &Budget) -> Signs {
     Region::new(intervals)
         .and_then(|region| sign_on(p, &region, budget))
         .map_or(Signs::ANY, |sign| Signs::of_region(&sign))
+}
+
+/// The signs of sums of a supposed polynomial times a number and a rest whose sign is known on the box:
+/// the number is one with which a term of both cancels.
+fn by_sums(
+    p: &Polynomial,
+    ranges: &[Range],
+    supposed: &[(Polynomial, Signs)],
+    budget: &Budget,
+) -> Signs {
+    let mut found = Signs::ANY;
+    for (known, signs) in supposed {
+        for (monomial, coefficient) in known.terms() {
+            let own = p.coefficient(monomial.exponents());
+            if own.is_zero() || found.only().is_some() {
+                continue;
+            }
+            // c p = o q + r: the signs of o q and r, turned where c is negative.
+            let rest = &p.mul_integer(&coefficient) - &known.mul_integer(&own);
+            let part = match own.is_negative() {
+                true => signs.reversed(),
+                false => *signs,
+            };
+            let sum = part.plus(on_box(&rest, ranges, budget));
+            found = found.and(match coefficient.is_negative() {
+                true => sum.reversed(),
+                false => sum,
+            });
+        }
+    }
+    found
 }
 
 /// The signs that follow from suppositions: t stands for a supposed polynomial in place of a letter in

@@ -25,6 +25,8 @@ use std::collections::BTreeSet;
 const TRIES: usize = 240;
 /// How many points a relation's two signs are looked for at.
 const SIGNS: usize = 60;
+/// At how many points the value of a function is enclosed.
+const ENCLOSED: usize = 6;
 /// Roots are looked for in polynomials of degrees up to this.
 const DEGREE: u32 = 6;
 
@@ -444,6 +446,20 @@ impl Checker<'_> {
         })
     }
 
+    /// Points at which all that is supposed holds and a function is zero, as far as rational ones are
+    /// found: the function is one relation more.
+    pub(in crate::check) fn zeros_where_supposed(&self, f: &RationalFunction) -> Vec<Point> {
+        let letters: BTreeSet<usize> = match self.functions() {
+            Some(table) => table.letters_behind(f),
+            None => super::super::identity::letters_of([f]),
+        };
+        let mut there = self.supposed.clone();
+        there.relations.push(f.numerator().clone());
+        let is_zero = |point: &Point| self.value_at(f, point).is_some_and(|v| v.is_zero());
+        let points = self.points_under(&there, &letters);
+        points.into_iter().filter(is_zero).collect()
+    }
+
     /// A point at which the hypotheses in force hold and what should be positive is not.
     pub(in crate::check) fn violated_where_supposed(
         &self,
@@ -459,14 +475,36 @@ impl Checker<'_> {
             None => super::super::identity::letters_of([inserted]),
         };
         let zero = BigRational::zero();
-        let (point, found) = self.admitted_points(&letters).find_map(|point| {
-            let found = self.value_at(inserted, &point)?;
-            let violated = found.is_negative() || strict && found.is_zero();
+        // Enclosures are dear, and another route looks at more of them.
+        let mut enclosed = 0;
+        let mut certainly = |point: Point| {
+            let found = match self.value_at(inserted, &point) {
+                Some(value) => PointValue::Exact(value),
+                None if enclosed < ENCLOSED => {
+                    enclosed += 1;
+                    self.certain_value(inserted, &point)?
+                }
+                None => return None,
+            };
+            let violated = match &found {
+                PointValue::Exact(value) => value.is_negative() || strict && value.is_zero(),
+                PointValue::Between(_, high) => high.is_negative(),
+                PointValue::Complex(_) => false,
+            };
             violated.then_some((point, found))
+        };
+        let mut points = self.admitted_points(&letters);
+        let (point, found) = points.find_map(&mut certainly).or_else(|| {
+            // What is positive but for its zeros is violated at these alone.
+            let zeros = match strict {
+                true => self.zeros_where_supposed(inserted),
+                false => Vec::new(),
+            };
+            zeros.into_iter().find_map(&mut certainly)
         })?;
         let witness = Witness {
             point: self.shown(&point),
-            left: PointValue::Exact(found),
+            left: found,
             right: PointValue::Exact(zero),
             place: None,
             indices: Vec::new(),

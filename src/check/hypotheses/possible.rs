@@ -83,6 +83,22 @@ impl Signs {
         product
     }
 
+    /// The signs of a sum.
+    #[must_use]
+    pub fn plus(self, other: Signs) -> Signs {
+        let both = self.or(other);
+        match () {
+            () if self == Signs::NONE || other == Signs::NONE => Signs::NONE,
+            () if both.admits(Signs::POSITIVE) && both.admits(Signs::NEGATIVE) => match () {
+                () if self == Signs::ZERO || other == Signs::ZERO => both,
+                () => Signs::ANY,
+            },
+            // One that is not zero is enough.
+            () if self.excludes_zero() || other.excludes_zero() => both.and(Signs::NOT_ZERO),
+            () => both,
+        }
+    }
+
     /// Whether one of these signs is possible.
     pub fn admits(self, signs: Signs) -> bool {
         self.0 & signs.0 != 0
@@ -147,6 +163,10 @@ mod tests {
                     .into_iter()
                     .flat_map(|x| numbers(b).into_iter().map(move |y| x * y));
                 assert_eq!(a.times(b), signs(products), "{a:?} {b:?}");
+                // With moduli 1 and 2 every sign of a sum is met.
+                let sizes = |s| numbers(s).into_iter().flat_map(|n| [n, 2 * n]);
+                let sums = sizes(a).flat_map(|x| sizes(b).map(move |y| (x + y).signum()));
+                assert_eq!(a.plus(b), signs(sums), "{a:?} {b:?}");
             }
         }
     }

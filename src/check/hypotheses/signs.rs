@@ -52,6 +52,9 @@ impl Checker<'_> {
         for relation in &self.supposed.relations {
             above = above.and(self.signs_modulo(f.numerator(), relation));
         }
+        if above.only().is_none() {
+            above = above.and(self.signs_of_factors(f.numerator()));
+        }
         match above.times(below).and(Signs::of_region(&known)) {
             Signs::POSITIVE => RegionSign::Positive,
             Signs::NEGATIVE => RegionSign::Negative,
@@ -59,6 +62,48 @@ impl Checker<'_> {
             Signs::NOT_NEGATIVE => RegionSign::NonNegative,
             Signs::NOT_POSITIVE => RegionSign::NonPositive,
             _ => RegionSign::Undecided,
+        }
+    }
+
+    /// The signs of a product by those of its factors.
+    fn signs_of_factors(&self, p: &Polynomial) -> Signs {
+        let Ok(all) = factors(p) else {
+            return Signs::ANY;
+        };
+        let mut product = match all.content.is_negative() {
+            true => Signs::NEGATIVE,
+            false => Signs::POSITIVE,
+        };
+        for (factor, multiplicity) in &all.factors {
+            let own = self.signs(factor);
+            let real = |l: usize| match self.supposed.admitted.ranges.get(l) {
+                Some(range) => range.numbers != Numbers::Complex,
+                None => self.range_of(l).numbers != Numbers::Complex,
+            };
+            product = product.times(match multiplicity % 2 {
+                1 => own,
+                _ if !factor.variables_occurring().into_iter().all(real) => Signs::ANY,
+                _ if own.excludes_zero() => Signs::POSITIVE,
+                _ => Signs::NOT_NEGATIVE,
+            });
+        }
+        product
+    }
+
+    /// Whether a function certainly has no zero where all that is supposed holds: none of the factors of
+    /// its numerator has one.
+    pub(in crate::check) fn vanishes_nowhere(&self, f: &RationalFunction) -> bool {
+        let never = |p: &Polynomial| {
+            self.signs(p).excludes_zero()
+                || self
+                    .supposed
+                    .relations
+                    .iter()
+                    .any(|r| self.signs_modulo(p, r).excludes_zero())
+        };
+        match factors(f.numerator()) {
+            Ok(all) => all.factors.iter().all(|(factor, _)| never(factor)),
+            Err(_) => false,
         }
     }
 
@@ -147,6 +192,13 @@ impl Checker<'_> {
             let known = self.signs_in(supposed, &factor);
             if known == Signs::NONE {
                 return Err(Unusable::Contradictory);
+            }
+            if known == Signs::ZERO {
+                // All of it is zero, whatever the other factors are.
+                return match signs.admits(Signs::ZERO) {
+                    true => Ok(()),
+                    false => Err(Unusable::Contradictory),
+                };
             }
             if wanted.excludes_zero() && !known.excludes_zero() {
                 supposed.admitted.suppose(&factor, Signs::NOT_ZERO);

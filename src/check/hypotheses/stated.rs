@@ -13,12 +13,13 @@ use num_traits::Zero;
 
 impl<'m> Checker<'m> {
     /// The verdict on a link that is false without the hypotheses that the document states; none where
-    /// it states none, or the link does not follow from them.
+    /// it states none, or where the link is false with them too: then the point that shows it is one at
+    /// which they hold.
     pub(in crate::check) fn under_stated(
         &mut self,
         equation: usize,
         link: &Link,
-        refutation: &Refutation,
+        refutation: &mut Refutation,
     ) -> Option<Verdict> {
         let model = self.model;
         let stated: Vec<&'m Hypothesis> = model.equations[equation].given.iter().collect();
@@ -35,11 +36,19 @@ impl<'m> Checker<'m> {
             Err(unusable) => return undecided(format!("as stated: {}", self.words_of(&unusable))),
         };
         let free = self.exchange(under);
-        let proof = self.proof_where_supposed(equation, link);
+        let (proof, false_there) = self.proof_where_supposed(equation, link);
         let vanishing = self.vanishing_divisor().is_some() || self.divides_by_relation();
         self.exchange(free);
         let Some(proof) = proof else {
             self.exact.conditions = conditions;
+            let Some(found) = false_there.or_else(|| self.violated(equation, link)) else {
+                return undecided(
+                    "it is false without the stated hypothesis, and neither proved nor shown false with it"
+                        .into(),
+                );
+            };
+            let residual = std::mem::take(&mut refutation.residual);
+            *refutation = found.with_residual(residual);
             return None;
         };
         if vanishing {
@@ -60,19 +69,27 @@ impl<'m> Checker<'m> {
         Some(Verdict::HoldsGiven(Box::new(given), proof))
     }
 
-    /// The proof of a link where what is supposed holds.
-    fn proof_where_supposed(&mut self, equation: usize, link: &Link) -> Option<Proof> {
-        if link.relation != Relation::Equal {
-            return match self.inequality(equation, link, &mut None) {
-                Verdict::Holds { proof, .. } => Some(proof),
-                Verdict::HoldsGiven(..)
-                | Verdict::Misprint { .. }
-                | Verdict::Refuted(_)
-                | Verdict::Undecided { .. }
-                | Verdict::Definition { .. }
-                | Verdict::Recalled { .. } => None,
-            };
+    /// The proof of a link where what is supposed holds, or what shows a relation of order false there.
+    fn proof_where_supposed(
+        &mut self,
+        equation: usize,
+        link: &Link,
+    ) -> (Option<Proof>, Option<Refutation>) {
+        if link.relation == Relation::Equal {
+            return (self.proof_of_equation_where_supposed(equation, link), None);
         }
+        match self.inequality(equation, link, &mut None) {
+            Verdict::Holds { proof, .. } => (Some(proof), None),
+            Verdict::Refuted(refutation) => (None, Some(refutation)),
+            Verdict::HoldsGiven(..)
+            | Verdict::Misprint { .. }
+            | Verdict::Undecided { .. }
+            | Verdict::Definition { .. }
+            | Verdict::Recalled { .. } => (None, None),
+        }
+    }
+
+    fn proof_of_equation_where_supposed(&mut self, equation: usize, link: &Link) -> Option<Proof> {
         let entries = self.sides(equation, link).ok()?;
         match self.decide_true(&entries, equation).ok()? {
             Decision::Holds(by) | Decision::HoldsGiven(by, _) => {
