@@ -16,6 +16,28 @@ mod size;
 mod statement;
 mod symbols;
 mod table;
+
+/// The bytes of a file, a few more than a document may have at most. What is no file of its own, such as a
+/// pipe or a device, may have no end, or nobody who writes to it.
+fn bytes_of(path: &Path) -> std::io::Result<Vec<u8>> {
+    use std::io::{Error, Read};
+    let metadata = std::fs::metadata(path)?;
+    if metadata.is_dir() {
+        return Err(Error::other("this is a folder; name a file in it"));
+    }
+    if !metadata.is_file() {
+        return Err(Error::other(
+            "this is a pipe or a device; write the text to a file",
+        ));
+    }
+    let most = metadata.len().min(LARGEST_DOCUMENT as u64);
+    let mut bytes = Vec::with_capacity(most as usize);
+    let file = std::fs::File::open(path)?;
+    file.take(LARGEST_DOCUMENT as u64 + 1)
+        .read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 #[cfg(test)]
 mod tests;
 mod words;
@@ -99,12 +121,19 @@ impl Document {
             text,
             diagnostics: vec![Diagnostic::new(kind, span)],
         };
-        let bytes = std::fs::read(path).map_err(|error| {
+        let bytes = bytes_of(path).map_err(|error| {
             let kind = DiagnosticKind::Unreadable {
                 message: error.to_string(),
             };
             reject(String::new(), kind, Span::default())
         })?;
+        if bytes.len() > LARGEST_DOCUMENT {
+            let whole = std::fs::metadata(path).map_or(0, |m| m.len() as usize);
+            let (size, limit) = (whole.max(bytes.len()), LARGEST_DOCUMENT);
+            let what = "a document";
+            let kind = DiagnosticKind::TooLong { what, size, limit };
+            return Err(reject(String::new(), kind, Span::default()));
+        }
         match String::from_utf8(bytes) {
             Ok(text) => match Document::parse(&name, &text) {
                 Ok(document) => Ok(document),

@@ -323,3 +323,17 @@ fn five_thousand_definitions_are_refused() {
         DiagnosticKind::TooManyLetters { .. }
     ));
 }
+
+/// What is no file with a text of its own is refused before it is read: it may have no end.
+#[test]
+#[cfg(unix)]
+fn devices_and_folders_are_refused_unread() {
+    for path in ["/dev/zero", "/dev/null", "/"] {
+        let rejection = Document::read(std::path::Path::new(path)).expect_err("no document");
+        let kind = &rejection.diagnostics[0].kind;
+        let DiagnosticKind::Unreadable { message } = kind else {
+            panic!("{rejection}");
+        };
+        assert!(message.contains("file"), "{message}");
+    }
+}

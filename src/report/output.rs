@@ -34,7 +34,7 @@ pub fn write(
     inspections: &[Inspection],
     stop: &dyn Fn() -> bool,
 ) -> io::Result<Pdf> {
-    fs::create_dir_all(folder)?;
+    create(folder)?;
     let audits: Vec<&Audit> = inspections.iter().map(|i| &i.audit).collect();
     figures(folder, &audits)?;
     let report = latex::report(inspections);
@@ -58,7 +58,7 @@ pub fn write(
 /// # Errors
 /// When the folder cannot be made or a file cannot be written.
 pub fn errata(folder: &Path, sheets: &[Sheet], stop: &dyn Fn() -> bool) -> io::Result<Pdf> {
-    fs::create_dir_all(folder)?;
+    create(folder)?;
     let text = errata::latex(sheets);
     replace(
         &folder.join("errata.md"),
@@ -82,7 +82,7 @@ pub fn figures(folder: &Path, audits: &[&Audit]) -> io::Result<Vec<PathBuf>> {
     for (audit, stem) in audits.iter().zip(stems) {
         for figure in &audit.figures {
             let Some(scene) = scene(figure) else { continue };
-            fs::create_dir_all(folder)?;
+            create(folder)?;
             let path = folder.join(format!("{stem}-figure-{}.svg", figure.label));
             replace(&path, svg(&scene).as_bytes())?;
             written.push(path);
@@ -152,14 +152,25 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if result.is_err() {
         let _ = fs::remove_file(&temporary);
     }
-    result
+    result.map_err(|error| at(path, &error))
+}
+
+/// Creates a folder and those around it.
+fn create(folder: &Path) -> io::Result<()> {
+    fs::create_dir_all(folder).map_err(|error| at(folder, &error))
+}
+
+/// An error that names its path, whose characters a terminal may be shown.
+fn at(path: &Path, error: &io::Error) -> io::Error {
+    let name = crate::diagnostic::printable_line(&path.display().to_string()).to_string();
+    io::Error::new(error.kind(), format!("{name}: {error}"))
 }
 
 /// Runs TeX in a folder of its own inside the output folder, without a shell to escape to and
 /// without leave to read or write elsewhere.
 fn pdf(folder: &Path, name: &str, text: &str) -> io::Result<Pdf> {
     let work = folder.join(format!(".tex.{}.part", std::process::id()));
-    fs::create_dir_all(&work)?;
+    create(&work)?;
     let result = compiled(&work, text).and_then(|pdf| match pdf {
         Pdf::Made(made) => {
             let path = folder.join(format!("{name}.pdf"));
