@@ -114,7 +114,7 @@ mod tests {
 
     #[test]
     fn operators_end_at_the_allowance_and_the_next_one_is_whole() {
-        let ring = Ring::new(&["a", "b", "c", "d"], Order::Grevlex).unwrap();
+        let ring = Ring::new(["a", "b", "c", "d"], Order::Grevlex).unwrap();
         let f = Polynomial::parse(ring, "a + b + c + d").unwrap();
         let allowed = |steps, bytes| Allowance { steps, bytes };
         let power = |n| f.pow(n).len();

@@ -89,10 +89,9 @@ impl Signs {
         let both = self.or(other);
         match () {
             () if self == Signs::NONE || other == Signs::NONE => Signs::NONE,
-            () if both.admits(Signs::POSITIVE) && both.admits(Signs::NEGATIVE) => match () {
-                () if self == Signs::ZERO || other == Signs::ZERO => both,
-                () => Signs::ANY,
-            },
+            () if self == Signs::ZERO => other,
+            () if other == Signs::ZERO => self,
+            () if both.admits(Signs::POSITIVE) && both.admits(Signs::NEGATIVE) => Signs::ANY,
             // One that is not zero is enough.
             () if self.excludes_zero() || other.excludes_zero() => both.and(Signs::NOT_ZERO),
             () => both,
