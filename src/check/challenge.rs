@@ -7,8 +7,8 @@
 use super::Checker;
 use super::identity::Decision;
 use crate::enclose::{Budget, Challenge, Comparison, Point, Points, World, challenge};
-use crate::expr::{Display, Relation};
-use crate::model::links::Link;
+use crate::expr::{Display, ExprKind, Relation};
+use crate::model::links::{Link, visit};
 use crate::model::{Hypothesis, Letter};
 use crate::real::{Complex, Real};
 use crate::verdict::{Contradiction, PointValue, Refutation, Verdict, Witness};
@@ -136,6 +136,11 @@ impl<'m> Checker<'m> {
         let Some(witness) = refutation.witness() else {
             return Ok(refutation);
         };
+        if self.is_inequality_of_moments(equation, link) {
+            return Err(
+                "no point is known at which the covariances exist and it is violated".into(),
+            );
+        }
         let free = witness.point.iter().all(|(l, _)| !self.is_no_choice(*l));
         let own = match free {
             true => self.is_apart_at(equation, link, witness),
@@ -155,9 +160,28 @@ impl<'m> Checker<'m> {
 
     /// A point at which a link that could not be decided is violated.
     pub(super) fn violated(&mut self, equation: usize, link: &Link) -> Option<Refutation> {
+        if self.is_inequality_of_moments(equation, link) {
+            return None;
+        }
         let stated = &self.model.equations[equation].given;
         let shown = self.points_apart(equation, link, stated).apart?;
         Some(Refutation::at(self.witness_of(&shown)))
+    }
+
+    /// Whether moments are compared: at a point they have values only where the matrix that stands for
+    /// a covariance is one, and the points do not see to that.
+    fn is_inequality_of_moments(&self, equation: usize, link: &Link) -> bool {
+        let display = self.exact.display(equation);
+        let mut moments = false;
+        for side in [link.left, link.right]
+            .iter()
+            .filter_map(|p| p.find(display))
+        {
+            visit(side, &mut |e| {
+                moments |= matches!(e.kind, ExprKind::Expectation(_));
+            });
+        }
+        moments && !matches!(link.relation, Relation::Equal)
     }
 
     fn points_apart(&self, equation: usize, link: &Link, stated: &[Hypothesis]) -> Challenge {

@@ -28,11 +28,19 @@ pub(super) fn all(first: Verdicts, second: Verdicts) -> Verdicts {
 fn merged(first: Outcome, second: Outcome) -> Outcome {
     let (one, other) = (first.verdict.word(), second.verdict.word());
     if one != other {
-        return if badness(other) > badness(one) {
+        let mut worse = if badness(other) > badness(one) {
             second
         } else {
             first
         };
+        // A correction of what is true for another size would spoil it there.
+        let right = |word| matches!(word, VerdictWord::Holds | VerdictWord::HoldsGiven);
+        if let Verdict::Misprint { refutation, .. } = &worse.verdict
+            && (right(one) || right(other))
+        {
+            worse.verdict = Verdict::Refuted(refutation.clone());
+        }
+        return worse;
     }
     let mut both = first.clone();
     both.instances.extend(&second.instances);

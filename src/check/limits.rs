@@ -448,7 +448,8 @@ fn set_moving(expr: &mut Expr, approach: &Approach) -> bool {
     elsewhere
 }
 
-fn mentions(expr: &Expr, letter: &Name) -> bool {
+/// Whether a name stands in an expression.
+pub(super) fn mentions(expr: &Expr, letter: &Name) -> bool {
     let itself = matches!(&expr.kind, ExprKind::Name(name) if name == letter);
     itself
         || children(expr)

@@ -3,11 +3,12 @@
 use super::bounded;
 use super::challenge::is_decided_by_points;
 use super::identity::{Decision, Insertion};
+use super::limits::mentions;
 use super::{Checker, Told, index_tuples};
 use crate::evaluate::{Failure, FailureKind};
-use crate::expr::{ExprKind, Relation};
+use crate::expr::{ExprKind, Name, Relation};
 use crate::latex;
-use crate::model::links::{Link, Place};
+use crate::model::links::{Link, Place, visit};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
 use crate::verdict::{CounterProof, Ended, Positivity, Refutation, Searched, Verdict};
@@ -80,6 +81,10 @@ impl Checker<'_> {
             }
         } else if link.left == link.right {
             self.bare(equation, link)
+        } else if let Some(reason) = self.ambiguous_hypothesis(equation, link) {
+            Verdict::Undecided {
+                reason: reason.into(),
+            }
         } else if link.relation == Relation::Tends {
             self.exactly(|c| c.tends(equation, link))
         } else if self.is_circular(equation, l) {
@@ -107,6 +112,49 @@ impl Checker<'_> {
             .unwrap_or_else(|exhausted| Verdict::Undecided {
                 reason: bounded::words(exhausted).into(),
             })
+    }
+
+    /// Why a hypothesis cannot be used: it ties a letter that goes to a limit, or one by which is
+    /// differentiated, and whether it holds along the way is not written.
+    fn ambiguous_hypothesis(&self, equation: usize, link: &Link) -> Option<&'static str> {
+        let printed = &self.model.equations[equation];
+        let ties = |name: &Name| {
+            let hypotheses = printed.assume.iter().chain(&printed.given);
+            let mut equations = hypotheses.filter(|h| h.relation == Relation::Equal);
+            equations.any(|h| mentions(&h.left, name) || mentions(&h.right, name))
+        };
+        let display = self.exact.display(equation);
+        if link.relation == Relation::Tends {
+            let mut goes = display.clauses.iter().filter_map(|clause| {
+                let first = clause.chain.members.first()?;
+                let tends = clause.chain.relations.first() == Some(&Relation::Tends);
+                match &first.kind {
+                    ExprKind::Name(name) if tends => Some(name),
+                    _ => None,
+                }
+            });
+            return goes
+                .any(ties)
+                .then_some("a hypothesis ties the letter that goes to a limit");
+        }
+        let mut found = false;
+        for place in [link.left, link.right] {
+            let Some(side) = place.find(display) else {
+                continue;
+            };
+            visit(side, &mut |e| {
+                if let ExprKind::Derivative {
+                    variable: Some(variable),
+                    ..
+                } = &e.kind
+                {
+                    found |= !self.model.is_time(variable) && ties(variable);
+                }
+            });
+        }
+        found.then_some(
+            "a hypothesis ties the letter by which is differentiated: what depends on it is not written",
+        )
     }
 
     /// What stands once a second route has looked at a verdict: what is proved true unless it is

@@ -16,6 +16,7 @@ use crate::model::names::Resolved;
 use crate::model::time::Clock;
 use crate::model::{Letter, Node};
 use crate::span::Span;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 type Result<T> = std::result::Result<T, Failure>;
@@ -200,7 +201,10 @@ impl<D: Domain> Evaluator<'_, D> {
             Value::Zero => self.field.integer(0),
             Value::Matrix(_) => return Err(Failure::unsupported("a matrix as an argument", span)),
         };
-        let positive = model.symbols[symbol].range.is_positive();
+        // The sign of the declared letter is that of the argument only where that has it.
+        let functions = self.functions(what, span)?;
+        let positive = model.symbols[symbol].range.is_positive()
+            && functions.sign(&at) == Some(Ordering::Greater);
         let bound = self.functions(what, span)?.bound(self.integrals, positive);
         let bound = Self::possible(bound, span)?;
         let by = match &self.field.letters(&bound)[..] {

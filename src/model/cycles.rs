@@ -4,7 +4,7 @@ use super::links::each_expression;
 use super::names::{Element, Resolved, literal_integer};
 use super::{DefinitionKind, Model, Node, NotationKind, Role};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::{Display, Expr, ExprKind};
+use crate::expr::{Chain, Display, Expr, ExprKind};
 use crate::latex;
 use crate::model::links::children;
 use crate::span::Span;
@@ -293,7 +293,7 @@ impl Model {
                 symbols.insert(symbol);
             }
             open.extend(self.needs(node));
-            self.each_value(node, corrected, &mut |e| {
+            let mut see = |e: &Expr| {
                 let mut used = BTreeSet::new();
                 self.collect_name(e, &mut used);
                 open.extend(used);
@@ -301,6 +301,13 @@ impl Model {
                     && let Ok(Resolved::Letter { symbol, .. }) = self.resolve(name, &|_| false)
                 {
                     symbols.insert(symbol);
+                }
+            };
+            self.each_value(node, corrected, &mut |e| {
+                see(e);
+                // Which case it is depends on the letters of the conditions.
+                for member in conditions(e).flat_map(|chain| &chain.members) {
+                    super::links::visit(member, &mut see);
                 }
             });
         }
@@ -447,4 +454,13 @@ fn normal(node: Node) -> Node {
         },
         node => node,
     }
+}
+
+/// The conditions of cases.
+fn conditions(expr: &Expr) -> impl Iterator<Item = &Chain> {
+    let cases: &[(Expr, Vec<Chain>)] = match &expr.kind {
+        ExprKind::Cases(cases) => cases,
+        _ => &[],
+    };
+    cases.iter().flat_map(|(_, conditions)| conditions)
 }
