@@ -13,6 +13,7 @@ use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
 use crate::verdict::{CounterProof, Ended, Positivity, Refutation, Searched, Verdict};
 use ratpoly::allowance::Exhausted;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl Checker<'_> {
     /// The verdict on one link, with what shows it.
@@ -138,11 +139,13 @@ impl Checker<'_> {
                 .then_some("a hypothesis ties the letter that goes to a limit");
         }
         let mut found = false;
+        let mut moments = false;
         for place in [link.left, link.right] {
             let Some(side) = place.find(display) else {
                 continue;
             };
             visit(side, &mut |e| {
+                moments |= matches!(e.kind, ExprKind::Expectation(_));
                 if let ExprKind::Derivative {
                     variable: Some(variable),
                     ..
@@ -152,9 +155,29 @@ impl Checker<'_> {
                 }
             });
         }
+        if moments && self.has_covariance_of_constants() {
+            return Some("a covariance is declared of letters that are functions of nothing");
+        }
         found.then_some(
             "a hypothesis ties the letter by which is differentiated: what depends on it is not written",
         )
+    }
+
+    /// Whether a covariance is that of a vector in which nothing is a process.
+    fn has_covariance_of_constants(&self) -> bool {
+        let model = self.model;
+        let none = BTreeMap::new();
+        model.covariances().any(|(_, _, covariance)| {
+            let mut nodes = BTreeSet::new();
+            model.collect(&covariance.product, &mut nodes);
+            let mut behind = nodes.into_iter().flat_map(|n| match n {
+                Node::Symbol(symbol) => BTreeSet::from([symbol]),
+                node => model.symbols_behind(node, &none),
+            });
+            let is_process = |s: usize| model.symbols[s].function_of.is_some();
+            let mut letters = behind.by_ref().peekable();
+            letters.peek().is_some() && !letters.any(is_process)
+        })
     }
 
     /// What stands once a second route has looked at a verdict: what is proved true unless it is

@@ -167,8 +167,11 @@ fn damage_behind_a_shape_filter_is_refuted() {
     ] {
         let damaged = damaged(&text, label, from, to);
         let found = word(&audit(&damaged), link);
+        // Half the intensity contradicts the stated hypothesis: nothing follows from the two, and it is no
+        // pass either.
+        let undecided = hunts == "half the intensity" && found == VerdictWord::Undecided;
         assert!(
-            matches!(found, VerdictWord::Refuted | VerdictWord::Misprint),
+            undecided || matches!(found, VerdictWord::Refuted | VerdictWord::Misprint),
             "{hunts}: {found}"
         );
     }

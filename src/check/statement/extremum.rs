@@ -537,8 +537,12 @@ impl Ground {
         });
         let same = place == exact;
         let word = match (&at, same) {
-            // A number is right at the reference values; a formula would have to be so everywhere.
-            (Some(formula), true) if formula.as_constant().is_none() => {
+            // The reference value is meant at the reference values of the others; what stands as `at`
+            // would have to be the place for all of theirs.
+            (Some(formula), true)
+                if formula.as_constant().is_none()
+                    || self.letters_in(f).into_iter().any(|l| l != x) =>
+            {
                 match self.misses_somewhere(f, x, formula) {
                     true => VerdictWord::Loose,
                     false => VerdictWord::Undecided,
