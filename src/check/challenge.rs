@@ -7,7 +7,7 @@
 use super::Checker;
 use super::identity::Decision;
 use crate::enclose::{Budget, Challenge, Comparison, Point, Points, World, challenge};
-use crate::expr::{Display, ExprKind, Relation};
+use crate::expr::{Display, Expr, ExprKind, Relation};
 use crate::model::links::{Link, visit};
 use crate::model::{Hypothesis, Letter};
 use crate::real::{Complex, Real};
@@ -68,6 +68,17 @@ impl<'m> Checker<'m> {
         }
         let world = World::new(self.model, self.instance, corrected);
         let hypotheses = printed.assume.iter().chain(given);
+        // A point knows what a hypothesis says of a rate, and not what follows for the rate of that.
+        let supposed = hypotheses.clone();
+        let sides = supposed.filter(|h| h.relation == Relation::Equal);
+        let known = sides.map(|h| most_dots(&h.left).max(most_dots(&h.right)));
+        let known = known.max().unwrap_or(0);
+        let display = self.exact.display(equation);
+        let sides = [link.left, link.right];
+        let asked = sides.iter().filter_map(|p| p.find(display)).map(most_dots);
+        if known > 0 && asked.max().unwrap_or(0) > known {
+            return verdict;
+        }
         let found = challenge(&world, equation, link, hypotheses, &Budget::default());
         let Some(shown) = found.apart else {
             if found.evaluated == 0 && found.undefined > 0 {
@@ -244,6 +255,16 @@ impl<'m> Checker<'m> {
             indices: shown.indices.clone(),
         }
     }
+}
+
+/// The most dots over a name in an expression.
+fn most_dots(expr: &Expr) -> u8 {
+    let mut most = 0;
+    visit(expr, &mut |e| match &e.kind {
+        ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => most = most.max(name.dots),
+        _ => {}
+    });
+    most
 }
 
 /// A number of the second route.

@@ -339,7 +339,9 @@ impl Checker<'_> {
         // A quadratic form is positive wherever its letters do not all vanish if its matrix is so.
         let gram = (matrix.rows() == 1)
             .then(|| self.gram_matrix(&matrix[(0, 0)]))
-            .flatten();
+            .flatten()
+            // `> 0` of rates means "unless all stand still"; of the processes themselves it means what it says.
+            .filter(|_| !strict || self.is_of_rates(&matrix[(0, 0)]));
         let form = gram.is_some();
         let matrix = gram.unwrap_or(matrix);
         if let Some(name) = self.declared_definite(&matrix) {
@@ -434,6 +436,15 @@ impl Checker<'_> {
             pairs.all(|(d, m)| &factor * d == *m) && self.sign(&factor) == RegionSign::Positive
         });
         found.map(|m| latex::canonical(&model.matrices[m].name))
+    }
+
+    /// Whether only derivatives of processes stand in a value, and no process itself.
+    fn is_of_rates(&self, value: &RationalFunction) -> bool {
+        let itself = |letter: &usize| {
+            matches!(self.model.letters[*letter], Letter::Symbol { symbol, order: 0 }
+                if self.model.symbols[symbol].function_of.is_some())
+        };
+        !value.numerator().variables_occurring().iter().any(itself)
     }
 
     /// The matrix S of a form z^T S z in the derivatives of processes, where the value is one.
