@@ -1,4 +1,4 @@
-//! An allowance: what all computations of a thread may use together, whether or not they were given a [`Budget`].
+//! An allowance: what all computations of a thread may use together, whether or not they were given a [`Budget`](crate::Budget).
 //!
 //! Operators such as `+` have no budget and no error to return. Where an allowance is in force they end at
 //! its limit nevertheless: the computation unwinds, without the panic hook, to the [`within`] that granted it,

@@ -176,12 +176,12 @@ fn one_letter_in_a_supposed_range() {
     let mut random = Random::new(11);
     let mut all: Vec<Relative> = Vec::new();
     while all.len() < 300 {
-        let letter: &'static str = random.pick(&["x", "a", "u", "v", "n"]);
+        let letter = *random.pick(&["x", "a", "u", "v", "n"]);
         // One or two hypotheses beside the declaration, some of them not in the simplest form.
         let mut hypotheses = Vec::new();
         let mut tests: Vec<(&'static str, f64)> = Vec::new();
         for _ in 0..random.between(1, 2) {
-            let relation: &'static str = random.pick(&ORDERS);
+            let relation = *random.pick(&ORDERS);
             let at = random.between(-2, 4);
             hypotheses.push(match random.between(0, 3) {
                 0 => format!("2{letter} + 1 {relation} {}", 2 * at + 1),
