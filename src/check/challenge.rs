@@ -174,7 +174,10 @@ impl<'m> Checker<'m> {
         if self.is_inequality_of_moments(equation, link) {
             return None;
         }
-        let stated = &self.model.equations[equation].given;
+        // What the document's own numbers break is no hypothesis of it.
+        let given: &'m [Hypothesis] = &self.model.equations[equation].given;
+        let broken = self.breaks_reference(&given.iter().collect::<Vec<_>>());
+        let stated = if broken { &[] } else { given };
         let shown = self.points_apart(equation, link, stated).apart?;
         Some(Refutation::at(self.witness_of(&shown)))
     }
