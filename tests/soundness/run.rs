@@ -293,7 +293,7 @@ fn no_false_verdict_and_not_fewer_decided() {
         let slack = if plain || template.kind == Kind::Rational {
             1e-3
         } else {
-            0.1
+            0.15
         };
         let enough = tally.share() >= floor(template) - slack;
         if !enough && !few.contains(template.name) && !wrong.contains(template.name) {

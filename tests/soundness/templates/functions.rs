@@ -8,6 +8,7 @@ use crate::generated::random::Random;
 use crate::generated::term::{
     Function, Term, abs, call, cos, cosh, exp, ln, n, q, sin, sinh, sqrt, tan, tanh, v,
 };
+use crate::generated::truth::{Domain, domain};
 
 pub const TEMPLATES: &[Template] = &[
     template("functions/exponentials", REALS, |r, l| {
@@ -410,6 +411,7 @@ fn integer_letters(r: &mut Random) -> (Term, Term) {
 fn signs(r: &mut Random, label: &str) -> Claim {
     let (x, a, b) = (real(r), v(r.pick(&POSITIVE)), v(r.pick(&POSITIVE)));
     let x = v(x.letters()[0]);
+    let positive = domain(x.letters()[0]) == Domain::Positive;
     let k = r.between(1, 4);
     let (left, relation, right, holds) = match r.below(14) {
         0 => (cos(x), "<", n(1 + k), true),
@@ -417,7 +419,7 @@ fn signs(r: &mut Random, label: &str) -> Claim {
         2 => (sin(x), r"\le", n(1), true),
         3 => (exp(a), ">", n(1), true),
         4 => (exp(x), ">", n(0), true),
-        5 => (exp(x), ">", n(1), false),
+        5 => (exp(x), ">", n(1), positive),
         6 if a != b => (a.clone() + b.clone(), r"\ge", n(2) * sqrt(a * b), true),
         7 if a != b => (a.clone() + b.clone(), r"\ge", n(3) * sqrt(a * b), false),
         8 => (sqrt(a.clone() + n(k)), ">", sqrt(a), true),

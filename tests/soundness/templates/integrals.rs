@@ -160,7 +160,7 @@ fn polynomials(r: &mut Random, label: &str) -> Claim {
                 if holds {
                     "".into()
                 } else {
-                    format!("+ {off}a")
+                    format!("+ ({off})a")
                 }
             ),
             word(holds),
