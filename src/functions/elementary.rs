@@ -196,7 +196,7 @@ impl FunctionTable {
             };
             // What has been replaced by a finer one has that in its place among the others; a sign
             // (-1)^n is no power of a finer angle's letters here.
-            if self.is_replaced(letter) || self.is_sign_of_half_turns(&function) {
+            if self.is_replaced(letter) || self.is_sign_of_half_turns(letter, &function) {
                 continue;
             }
             let Some(ratio) = whole.checked_div(&argument)?.as_constant() else {

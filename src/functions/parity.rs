@@ -50,20 +50,10 @@ impl FunctionTable {
         Ok(Some((self.reduce(cosine), self.integer(0))))
     }
 
-    /// Whether a letter is the cosine of half turns.
-    pub(super) fn is_sign_of_half_turns(&self, function: &FunctionLetter) -> bool {
-        match function {
-            FunctionLetter::Cosine(angle) => self.square_of_sign(angle).is_some(),
-            FunctionLetter::Pi
-            | FunctionLetter::ImaginaryUnit
-            | FunctionLetter::Exponential(_)
-            | FunctionLetter::Sine(..)
-            | FunctionLetter::Root(_)
-            | FunctionLetter::Power(..)
-            | FunctionLetter::Logarithm(_)
-            | FunctionLetter::Dirac(_)
-            | FunctionLetter::Bound { .. } => false,
-        }
+    /// Whether a letter is the cosine of half turns: no other cosine has a square of its own.
+    pub(super) fn is_sign_of_half_turns(&self, letter: usize, function: &FunctionLetter) -> bool {
+        matches!(function, FunctionLetter::Cosine(_))
+            && self.quadratics().iter().any(|q| q.letter == letter)
     }
 
     /// The square of the cosine of half turns.
@@ -78,9 +68,12 @@ impl FunctionTable {
     /// real letter the value at such a point is the limit.
     pub(super) fn refuse_integer_poles(&self, coefficient: &RationalFunction) -> Possible<()> {
         let below = RationalFunction::from(coefficient.denominator().clone());
+        let integer = |letter: &usize| self.is_integer(&self.variable(*letter));
+        if !below.numerator().variables_occurring().iter().any(integer) {
+            return Ok(());
+        }
         for (factor, _) in self.split(&below)?.factors {
             let letters = factor.variables_occurring();
-            let integer = |letter: &usize| self.is_integer(&self.variable(*letter));
             let number = |letter: &usize| integer(letter) || self.is_number(*letter);
             if letters.iter().any(integer)
                 && letters.iter().all(number)

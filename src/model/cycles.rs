@@ -293,7 +293,7 @@ impl Model {
                 symbols.insert(symbol);
             }
             open.extend(self.needs(node));
-            let mut see = |e: &Expr| {
+            self.each_value(node, corrected, &mut |e| {
                 let mut used = BTreeSet::new();
                 self.collect_name(e, &mut used);
                 open.extend(used);
@@ -301,13 +301,6 @@ impl Model {
                     && let Ok(Resolved::Letter { symbol, .. }) = self.resolve(name, &|_| false)
                 {
                     symbols.insert(symbol);
-                }
-            };
-            self.each_value(node, corrected, &mut |e| {
-                see(e);
-                // Which case it is depends on the letters of the conditions.
-                for member in conditions(e).flat_map(|chain| &chain.members) {
-                    super::links::visit(member, &mut see);
                 }
             });
         }
@@ -343,7 +336,13 @@ impl Model {
             Node::Definition(d) => {
                 let definition = &self.definitions[d];
                 if let Some(value) = definition.place.find(display(definition.equation)) {
-                    super::links::visit(value, &mut |e| see(e));
+                    super::links::visit(value, &mut |e| {
+                        see(e);
+                        // Which case it is depends on the letters of the conditions.
+                        for member in conditions(e).flat_map(|chain| &chain.members) {
+                            super::links::visit(member, &mut |c| see(c));
+                        }
+                    });
                 }
             }
             Node::Notation(n) => {

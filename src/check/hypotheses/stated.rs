@@ -160,6 +160,9 @@ impl<'m> Checker<'m> {
 
     /// Whether the document's own numbers are none at which the hypotheses hold.
     pub(in crate::check) fn breaks_reference(&mut self, hypotheses: &[&Hypothesis]) -> bool {
+        if hypotheses.is_empty() {
+            return false;
+        }
         let point = self.reference_point();
         hypotheses.iter().any(|h| {
             let Ok(Value::Scalar(value)) = self.exact.expression(&h.difference()) else {
