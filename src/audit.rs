@@ -11,6 +11,7 @@ use crate::unit::{self, UnitFinding};
 use crate::verdict::Outcome;
 use crate::verdict::statement::StatementOutcome;
 use ratpoly::allowance;
+use serde::Serialize;
 
 /// A document with the verdicts on all its links.
 #[derive(Clone, Debug)]
@@ -31,7 +32,7 @@ pub struct Audit {
 }
 
 /// What became of the links of a document: each is one of these.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// With a verdict that was computed: true, true given a relation, or false.
     pub checked: usize,
@@ -131,6 +132,18 @@ impl Audit {
             units,
             figures,
             recalled_and_false,
+        })
+    }
+
+    /// How equations were read where the print leaves a choice: the label, what is printed, and how it
+    /// is read, both in LaTeX.
+    pub fn readings(&self) -> impl Iterator<Item = (&str, &str, &str)> {
+        let text = &self.model.document.text;
+        self.model.equations.iter().flat_map(move |equation| {
+            equation.readings.iter().map(move |reading| {
+                let printed = &text[reading.span.start..reading.span.end];
+                (equation.label.as_str(), printed, reading.latex.as_str())
+            })
         })
     }
 

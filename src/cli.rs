@@ -255,14 +255,16 @@ enum Searches {
     Silent,
 }
 
+/// The same with the usual options, without a word on what is searched for.
+fn silent_audits(paths: &[PathBuf], watch: &Terminal) -> io::Result<(Vec<Audit>, usize)> {
+    audits(paths, Options::default(), watch, Searches::Silent)
+}
+
 fn telling(document: &Document, options: Options, watch: &Terminal) -> Result<Audit, Rejection> {
     let said = Mutex::new(BTreeSet::new());
     Audit::telling(document, options, &|model, told| {
         let equation = &model.equations[told.equation];
-        let number = match equation.links.len() {
-            0 | 1 => equation.label.clone(),
-            _ => format!("{}.{}", equation.label, told.member),
-        };
+        let number = equation.number_of(told.member);
         let line = format!(
             "{} ({number}): false as printed; searching for a correction",
             document.name
@@ -331,12 +333,7 @@ fn told(pdf: Pdf, text: &str, folder: &Path) -> io::Result<()> {
 }
 
 fn methods(arguments: &MethodsArguments, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(
-        &arguments.paths,
-        Options::default(),
-        watch,
-        Searches::Silent,
-    )?;
+    let (audits, rejected) = silent_audits(&arguments.paths, watch)?;
     let mut out = io::stdout().lock();
     let mut found = false;
     for audit in &audits {
@@ -409,12 +406,7 @@ fn mutate(arguments: &MutateArguments, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(
-        &arguments.paths,
-        Options::default(),
-        watch,
-        Searches::Silent,
-    )?;
+    let (audits, rejected) = silent_audits(&arguments.paths, watch)?;
     let mut out = io::stdout().lock();
     let columns = usize::from(width(out.is_terminal()).unwrap_or(100)).clamp(40, 120);
     let mut found = false;
@@ -439,12 +431,7 @@ fn explain(arguments: &Explain, watch: &Terminal) -> io::Result<u8> {
 }
 
 fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(
-        &arguments.paths,
-        Options::default(),
-        watch,
-        Searches::Silent,
-    )?;
+    let (audits, rejected) = silent_audits(&arguments.paths, watch)?;
     let documents: Vec<&Audit> = audits.iter().collect();
     let sheets = errata::sheets(&documents);
     let mut out = io::stdout().lock();
@@ -477,12 +464,7 @@ fn diff(arguments: &DiffArguments) -> io::Result<u8> {
 }
 
 fn figures(arguments: &Figures, watch: &Terminal) -> io::Result<u8> {
-    let (audits, rejected) = audits(
-        &arguments.paths,
-        Options::default(),
-        watch,
-        Searches::Silent,
-    )?;
+    let (audits, rejected) = silent_audits(&arguments.paths, watch)?;
     let documents: Vec<&Audit> = audits.iter().collect();
     let written = output::figures(&arguments.out, &documents)?;
     let mut out = io::stdout().lock();

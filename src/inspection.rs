@@ -47,11 +47,7 @@ impl Inspection {
             Subject::Quantity(name) => name.clone(),
             Subject::Link { equation, member } => {
                 let equation = &self.audit.model.equations[*equation];
-                if equation.links.len() == 1 {
-                    format!("({})", equation.label)
-                } else {
-                    format!("({}.{member})", equation.label)
-                }
+                format!("({})", equation.number_of(*member))
             }
         }
     }

@@ -446,6 +446,14 @@ impl Model {
 }
 
 impl Equation {
+    /// The number of a link: the label, and the link's own number where there are several.
+    pub fn number_of(&self, member: usize) -> String {
+        match self.links.len() {
+            0 | 1 => self.label.clone(),
+            _ => format!("{}.{member}", self.label),
+        }
+    }
+
     /// The verdict that the document records for a link.
     pub fn expected(&self, member: usize) -> Option<VerdictWord> {
         self.settings.expected(member)

@@ -106,18 +106,8 @@ struct Document {
     sha256: String,
     numbered: usize,
     covered: usize,
-    links: Links,
+    links: crate::audit::Counts,
     readings: Vec<ReadingText>,
-}
-
-/// What became of the links of a document.
-#[derive(Debug, Serialize)]
-struct Links {
-    checked: usize,
-    defined: usize,
-    recalled: usize,
-    undecided: usize,
-    not_read: usize,
 }
 
 /// How something was read where the print leaves a choice.
@@ -331,7 +321,7 @@ pub fn verdicts(inspections: &[Inspection]) -> Verdicts {
             sha256: sha256(&document.text),
             numbered: coverage.announced.len(),
             covered: coverage.covered(),
-            links: links(audit),
+            links: audit.counts(),
             readings: readings(audit),
         });
         verdicts
@@ -592,25 +582,13 @@ fn point_value(value: &PointValue) -> String {
     }
 }
 
-fn links(audit: &Audit) -> Links {
-    let counts = audit.counts();
-    Links {
-        checked: counts.checked,
-        defined: counts.defined,
-        recalled: counts.recalled,
-        undecided: counts.undecided,
-        not_read: counts.not_read,
-    }
-}
-
 fn readings(audit: &Audit) -> Vec<ReadingText> {
-    let equations = audit.model.equations.iter();
-    let readings = equations.flat_map(|e| e.readings.iter().map(move |r| (&e.label, r)));
-    readings
-        .map(|(label, reading)| ReadingText {
-            equation: label.clone(),
-            printed: audit.model.document.text[reading.span.start..reading.span.end].to_string(),
-            read: reading.latex.clone(),
+    audit
+        .readings()
+        .map(|(equation, printed, read)| ReadingText {
+            equation: equation.to_string(),
+            printed: printed.to_string(),
+            read: read.to_string(),
         })
         .collect()
 }

@@ -636,10 +636,5 @@ pub fn equation_of(display: &Display, link: &Link) -> String {
 
 /// `61.2`; the bare label for an equation with one link.
 pub fn number_of(audit: &Audit, outcome: &Outcome) -> String {
-    let equation = &audit.model.equations[outcome.equation];
-    if equation.links.len() == 1 {
-        equation.label.clone()
-    } else {
-        format!("{}.{}", equation.label, outcome.member)
-    }
+    audit.model.equations[outcome.equation].number_of(outcome.member)
 }

@@ -213,14 +213,11 @@ fn units(audit: &Audit) -> Vec<String> {
 
 /// How equations were read where the print leaves a choice.
 fn readings(audit: &Audit) -> Vec<String> {
-    let equations = audit.model.equations.iter();
-    let readings = equations.flat_map(|e| e.readings.iter().map(move |r| (&e.label, r)));
-    readings
-        .map(|(label, reading)| {
-            let span = reading.span;
-            let printed = &audit.model.document.text[span.start..span.end];
+    audit
+        .readings()
+        .map(|(label, printed, read)| {
             let printed = diagnostic::printable_line(printed);
-            format!("({label}): {printed} is read as {}", reading.latex)
+            format!("({label}): {printed} is read as {read}")
         })
         .collect()
 }
@@ -231,10 +228,7 @@ fn recalled(audit: &Audit) -> Vec<String> {
     found
         .map(|(equation, member)| {
             let printed = &audit.model.equations[*equation];
-            let number = match printed.links.len() {
-                0 | 1 => printed.label.clone(),
-                _ => format!("{}.{member}", printed.label),
-            };
+            let number = printed.number_of(*member);
             format!("({number}) is only recalled, and as an identity in its letters it is false")
         })
         .collect()
