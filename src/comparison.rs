@@ -21,8 +21,8 @@ use crate::numeric::value::Value;
 use crate::progress::{Unwatched, Watch};
 use crate::stack::{in_parallel, with_deep_stack};
 use crate::verdict::Verdict;
+pub(crate) use exact::exact_point;
 use exact::{AtPoint, Prepared, in_order, number};
-pub(crate) use exact::{abbreviations, exact_point};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use ratpoly::{Polynomial, RationalFunction};
@@ -164,7 +164,7 @@ impl Comparison {
                 prepared.push((right.clone(), value));
             }
         }
-        let abbreviations = abbreviations(model, &mut exact);
+        let abbreviations = exact.abbreviations();
         let mut shared = BTreeMap::new();
         let prepared: Vec<_> = prepared
             .into_iter()
@@ -280,9 +280,9 @@ impl Comparison {
 
 /// The corrected displays in the place of the printed ones.
 pub(crate) fn corrections(exact: &evaluate::Evaluator<'_, Symbolic>) -> BTreeMap<usize, Display> {
-    exact
-        .corrections()
-        .map(|(equation, display)| (*equation, display.clone()))
+    let corrections = exact.world().corrections();
+    corrections
+        .map(|(equation, display)| (equation, display.clone()))
         .collect()
 }
 

@@ -9,7 +9,7 @@
 
 use crate::audit::Audit;
 use crate::check;
-use crate::comparison::{abbreviations, corrections, exact_point};
+use crate::comparison::{corrections, exact_point};
 use crate::evaluate;
 use crate::latex::{self, Signature};
 use crate::matrix::Matrix;
@@ -126,7 +126,7 @@ impl Methods {
         let mut exact = check::corrected(model, &audit.outcomes);
         let corrections = corrections(&exact);
         let weights = exact.expression(&output).ok()?;
-        let abbreviations = abbreviations(model, &mut exact);
+        let abbreviations = exact.abbreviations();
         let mut points = Vec::new();
         for named in Point::of_table(model, table).ok()? {
             if !table.methods.iter().any(|m| m.text == named.name) {

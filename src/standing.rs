@@ -4,9 +4,8 @@
 //! records none, a slip that nobody has acknowledged counts as a difference.
 
 use crate::audit::Audit;
-use crate::check;
 use crate::document::VerdictWord;
-use crate::evaluate::Value;
+use crate::evaluate::{self, Value};
 use crate::expr::Relation;
 use crate::figure::Figure;
 use crate::inspection::Inspection;
@@ -63,7 +62,7 @@ impl Audit {
             return true;
         }
         let normal = |p: &Polynomial| p.primitive_part().unit_normal();
-        let mut exact = check::symbolic(&self.model);
+        let mut exact = evaluate::symbolic(&self.model).evaluator(self.model.field());
         let stated: Vec<Polynomial> = stated
             .iter()
             .filter(|hypothesis| hypothesis.relation == Relation::Equal)

@@ -29,5 +29,7 @@ mod signs;
 mod sizes;
 #[path = "soundness/statements.rs"]
 mod statements;
+#[path = "soundness/unwritten.rs"]
+mod unwritten;
 #[path = "soundness/zero.rs"]
 mod zero;

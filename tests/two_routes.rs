@@ -42,8 +42,8 @@ fn exact(model: &Model, point: &Point<'_>, expr: &Expr) -> BigRational {
         }
         _ => BigRational::zero(),
     });
-    let mut evaluator = evaluate::Evaluator::new(model, Rationals, letters.collect());
-    evaluator.keep_abbreviations = false;
+    let world = evaluate::World::new(model, letters.collect());
+    let mut evaluator = world.inserting().evaluator(Rationals);
     match evaluator.expression(expr) {
         Ok(evaluate::Value::Scalar(value)) => value,
         other => panic!("no scalar: {other:?}"),

@@ -12,7 +12,7 @@ use crate::verdict::After;
 impl Checker<'_> {
     /// The first link before a false one whose correction had changed a side of it, `before` the false
     /// one was corrected itself.
-    pub(super) fn after(&mut self, equation: usize, l: usize, before: &Display) -> Option<After> {
+    pub(super) fn after(&self, equation: usize, l: usize, before: &Display) -> Option<After> {
         let printed = &self.model.equations[equation];
         let link = &printed.links[l];
         let differs = |place: &Place| place.find(before) != place.find(&printed.display);
@@ -23,13 +23,11 @@ impl Checker<'_> {
         let earlier = printed.links[..l]
             .iter()
             .find(|e| changed.contains(&e.left) || changed.contains(&e.right))?;
-        let corrected = self.exact.display(equation).clone();
-        self.exact.correct(equation, printed.display.clone());
-        let decision = match self.sides(equation, link) {
-            Ok(entries) => self.decide_true(&entries, equation).ok(),
+        let mut trial = self.corrected(equation, printed.display.clone());
+        let decision = match trial.sides(equation, link) {
+            Ok(entries) => trial.decide_true(&entries, equation).ok(),
             Err(_) => None,
         };
-        self.exact.correct(equation, corrected);
         let holds = |d| matches!(d, Decision::Holds(_) | Decision::HoldsGiven(..));
         Some(After {
             member: earlier.member,

@@ -10,6 +10,7 @@
 use super::Checker;
 use crate::progress::interrupted;
 use ratpoly::allowance::{self, Allowance, Exhausted};
+use std::sync::Arc;
 
 /// The most steps of one stage of a link: its proof, a second route, the search for a correction.
 const STEPS: u64 = 600_000_000;
@@ -76,9 +77,9 @@ impl Checker<'_> {
         if !nested {
             allowed.steps *= STAGES;
         }
-        let spare = self.exact.spare();
-        let inserted = self.inserted.clone();
-        let supposed = self.supposed.clone();
+        let world = self.exact.world().clone();
+        let inserted = Arc::clone(&self.inserted);
+        let supposed = Arc::clone(&self.supposed);
         let options = self.options;
         let noted = self.diagnostics.len();
         let found = allowance::within(allowed, || {
@@ -94,7 +95,7 @@ impl Checker<'_> {
         match found {
             Ok((result, _)) => Ok(result),
             Err(exhausted) => {
-                self.exact = spare;
+                self.exact = self.exact.in_world(world);
                 self.inserted = inserted;
                 self.supposed = supposed;
                 self.options = options;

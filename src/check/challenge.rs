@@ -7,7 +7,7 @@
 use super::Checker;
 use super::identity::Decision;
 use crate::enclose::{Budget, Challenge, Comparison, Point, Points, World, challenge};
-use crate::expr::{Display, Expr, ExprKind, Relation};
+use crate::expr::{Display, ExprKind, Relation};
 use crate::model::links::{Link, visit};
 use crate::model::{Hypothesis, Letter};
 use crate::real::{Complex, Real};
@@ -24,7 +24,8 @@ const WORK: u64 = 300_000;
 impl<'m> Checker<'m> {
     /// The document as the second route sees it, with a display in place of an equation's.
     fn world(&self, changed: Option<(usize, &Display)>) -> World<'m> {
-        let corrected = self.exact.corrections().map(|(e, d)| (*e, d.clone()));
+        let corrected = self.exact.world().corrections();
+        let corrected = corrected.map(|(e, d)| (e, d.clone()));
         let changed = changed.map(|(e, d)| (e, d.clone()));
         World::new(
             self.model,
@@ -60,23 +61,16 @@ impl<'m> Checker<'m> {
         };
         let mut corrected: std::collections::BTreeMap<usize, Display> = self
             .exact
+            .world()
             .corrections()
-            .map(|(e, d)| (*e, d.clone()))
+            .map(|(e, d)| (e, d.clone()))
             .collect();
         for (e, display) in corrections {
             corrected.insert(e, display.clone());
         }
         let world = World::new(self.model, self.instance, corrected);
         let hypotheses = printed.assume.iter().chain(given);
-        // A point knows what a hypothesis says of a rate, and not what follows for the rate of that.
-        let supposed = hypotheses.clone();
-        let sides = supposed.filter(|h| h.relation == Relation::Equal);
-        let known = sides.map(|h| most_dots(&h.left).max(most_dots(&h.right)));
-        let known = known.max().unwrap_or(0);
-        let display = self.exact.display(equation);
-        let sides = [link.left, link.right];
-        let asked = sides.iter().filter_map(|p| p.find(display)).map(most_dots);
-        if known > 0 && asked.max().unwrap_or(0) > known {
+        if self.misses_rates(equation, link) {
             return verdict;
         }
         let found = challenge(&world, equation, link, hypotheses, &Budget::default());
@@ -199,6 +193,9 @@ impl<'m> Checker<'m> {
     }
 
     fn points_apart(&self, equation: usize, link: &Link, stated: &[Hypothesis]) -> Challenge {
+        if self.misses_rates(equation, link) {
+            return Challenge::default();
+        }
         let world = self.world(None);
         // What the document states is meant too, though it is not printed.
         let hypotheses = self.model.equations[equation].assume.iter().chain(stated);
@@ -258,16 +255,6 @@ impl<'m> Checker<'m> {
             indices: shown.indices.clone(),
         }
     }
-}
-
-/// The most dots over a name in an expression.
-fn most_dots(expr: &Expr) -> u8 {
-    let mut most = 0;
-    visit(expr, &mut |e| match &e.kind {
-        ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => most = most.max(name.dots),
-        _ => {}
-    });
-    most
 }
 
 /// A number of the second route.

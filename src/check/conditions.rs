@@ -6,6 +6,7 @@
 //! the imaginary unit that of its squared modulus.
 
 use super::Checker;
+use super::hypotheses::possible::Signs;
 use crate::evaluate::Origin;
 use crate::functions::FunctionLetter;
 use crate::functions::quadratic::reduce_polynomial;
@@ -26,13 +27,16 @@ impl Checker<'_> {
         let mut found: Vec<NonVanishing> = Vec::new();
         for condition in &self.exact.conditions {
             // What must be positive is named whole: two negative factors would do.
-            if let Origin::Stability(_) = condition.origin {
-                let factor = condition.divisor.numerator() * condition.divisor.denominator();
-                found.push(NonVanishing {
+            if let Origin::Stability(_) | Origin::Range(_) = condition.origin {
+                let factor = self.without_positive_factors(&condition.divisor);
+                let meant = NonVanishing {
                     factor,
                     origin: condition.origin.clone(),
                     because: None,
-                });
+                };
+                if !found.contains(&meant) {
+                    found.push(meant);
+                }
                 continue;
             }
             for factor in irreducible_factors(condition.divisor.numerator()) {
@@ -54,6 +58,28 @@ impl Checker<'_> {
         found
     }
 
+    /// A polynomial of the same sign.
+    fn without_positive_factors(&self, value: &RationalFunction) -> Polynomial {
+        let product = value.numerator() * value.denominator();
+        let Ok(factored) = product.factor_within(&Budget::default()) else {
+            return product;
+        };
+        let mut rest = Polynomial::one(self.model.ring);
+        for (factor, multiplicity) in &factored.factors {
+            match self.signs(factor) {
+                Signs::POSITIVE => {}
+                Signs::NEGATIVE if multiplicity % 2 == 0 => {}
+                Signs::NEGATIVE => rest = -rest,
+                _ if multiplicity % 2 == 0 => rest = &(&rest * factor) * factor,
+                _ => rest = &rest * factor,
+            }
+        }
+        match factored.content.is_negative() {
+            true => -rest,
+            false => rest,
+        }
+    }
+
     /// Whether something is divided by that vanishes wherever the hypotheses hold: then nothing is said.
     pub(super) fn divides_by_relation(&self) -> bool {
         if self.supposed.relations.is_empty() {
@@ -61,6 +87,9 @@ impl Checker<'_> {
         }
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         self.exact.conditions.iter().any(|condition| {
+            if matches!(condition.origin, Origin::Range(_)) {
+                return false;
+            }
             let inserted = match self.functions() {
                 Some(table) => table.substitute(&condition.divisor, &all.letters).ok(),
                 None => condition.divisor.substitute(&all.letters).ok(),

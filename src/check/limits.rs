@@ -10,7 +10,8 @@ mod ways;
 
 use super::Checker;
 use super::edit::{Address, Change, Replacement};
-use crate::evaluate::{Condition, Failure, FailureKind, Origin, Value};
+use crate::domain::Symbolic;
+use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::FunctionTable;
@@ -90,11 +91,11 @@ impl Checker<'_> {
         let judged = self.judged_limit(&corrected, link, approach.as_ref());
         match (judged, edit) {
             (Ok(Found::True(conditions)), Some(edit)) if conditions.is_empty() => {
-                self.exact.correct(equation, corrected.clone());
-                let Verdict::Holds { proof, .. } = self.limit_holds(equation, link) else {
-                    self.exact.correct(equation, display);
+                let mut trial = self.corrected(equation, corrected.clone());
+                let Verdict::Holds { proof, .. } = trial.limit_holds(equation, link) else {
                     return Verdict::Refuted(refutation);
                 };
+                self.adopt(trial);
                 Verdict::Misprint {
                     refutation,
                     correction: Box::new(Correction {
@@ -231,14 +232,9 @@ impl Checker<'_> {
             None => None,
         };
         let mut found: Vec<Result<Found, Failure>> = Vec::new();
-        self.exact.cases_met = 0;
         let cases = loop {
-            self.exact.begin_case(found.len());
-            let value = self.exact.expression(&moving);
-            let cases = self.exact.cases_met;
-            if found.len() + 1 >= cases || value.is_err() {
-                (self.exact.case, self.exact.cases_met) = (0, 0);
-            }
+            let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(&moving);
+            let (value, cases) = self.exact.in_case(found.len(), value);
             found.push(match value {
                 Err(Failure {
                     kind: FailureKind::Divergent { positive: true, .. },

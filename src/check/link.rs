@@ -3,17 +3,15 @@
 use super::bounded;
 use super::challenge::is_decided_by_points;
 use super::identity::{Decision, Insertion};
-use super::limits::mentions;
 use super::{Checker, Told, index_tuples};
 use crate::evaluate::{Failure, FailureKind};
-use crate::expr::{ExprKind, Name, Relation};
+use crate::expr::{ExprKind, Relation};
 use crate::latex;
-use crate::model::links::{Link, Place, visit};
+use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
 use crate::verdict::{CounterProof, Ended, Positivity, Refutation, Searched, Verdict};
 use ratpoly::allowance::Exhausted;
-use std::collections::{BTreeMap, BTreeSet};
 
 impl Checker<'_> {
     /// The verdict on one link, with what shows it.
@@ -82,7 +80,7 @@ impl Checker<'_> {
             }
         } else if link.left == link.right {
             self.bare(equation, link)
-        } else if let Some(reason) = self.ambiguous_hypothesis(equation, link) {
+        } else if let Some(reason) = self.unwritten(equation, link) {
             Verdict::Undecided {
                 reason: reason.into(),
             }
@@ -92,6 +90,8 @@ impl Checker<'_> {
             Verdict::Undecided {
                 reason: "the claim is one of its hypotheses: nothing is left to show".into(),
             }
+        } else if self.is_only_proved(equation, link) {
+            self.proved_only(equation, link, positivity)
         } else if link.relation != Relation::Equal {
             let verdict = self.exactly(|c| match c.inequality(equation, link, positivity) {
                 Verdict::Refuted(mut refutation) => c
@@ -108,76 +108,11 @@ impl Checker<'_> {
 
     /// What the exact engine finds within its allowance: beyond it the link is undecided, and a second
     /// route may still find a point.
-    fn exactly(&mut self, decide: impl FnOnce(&mut Self) -> Verdict) -> Verdict {
+    pub(super) fn exactly(&mut self, decide: impl FnOnce(&mut Self) -> Verdict) -> Verdict {
         self.bounded(decide)
             .unwrap_or_else(|exhausted| Verdict::Undecided {
                 reason: bounded::words(exhausted).into(),
             })
-    }
-
-    /// Why a hypothesis cannot be used: it ties a letter that goes to a limit, or one by which is
-    /// differentiated, and whether it holds along the way is not written.
-    fn ambiguous_hypothesis(&self, equation: usize, link: &Link) -> Option<&'static str> {
-        let printed = &self.model.equations[equation];
-        let ties = |name: &Name| {
-            let hypotheses = printed.assume.iter().chain(&printed.given);
-            let mut equations = hypotheses.filter(|h| h.relation == Relation::Equal);
-            equations.any(|h| mentions(&h.left, name) || mentions(&h.right, name))
-        };
-        let display = self.exact.display(equation);
-        if link.relation == Relation::Tends {
-            let mut goes = display.clauses.iter().filter_map(|clause| {
-                let first = clause.chain.members.first()?;
-                let tends = clause.chain.relations.first() == Some(&Relation::Tends);
-                match &first.kind {
-                    ExprKind::Name(name) if tends => Some(name),
-                    _ => None,
-                }
-            });
-            return goes
-                .any(ties)
-                .then_some("a hypothesis ties the letter that goes to a limit");
-        }
-        let mut found = false;
-        let mut moments = false;
-        for place in [link.left, link.right] {
-            let Some(side) = place.find(display) else {
-                continue;
-            };
-            visit(side, &mut |e| {
-                moments |= matches!(e.kind, ExprKind::Expectation(_));
-                if let ExprKind::Derivative {
-                    variable: Some(variable),
-                    ..
-                } = &e.kind
-                {
-                    found |= !self.model.is_time(variable) && ties(variable);
-                }
-            });
-        }
-        if moments && self.has_covariance_of_constants() {
-            return Some("a covariance is declared of letters that are functions of nothing");
-        }
-        found.then_some(
-            "a hypothesis ties the letter by which is differentiated: what depends on it is not written",
-        )
-    }
-
-    /// Whether a covariance is that of a vector in which nothing is a process.
-    fn has_covariance_of_constants(&self) -> bool {
-        let model = self.model;
-        let none = BTreeMap::new();
-        model.covariances().any(|(_, _, covariance)| {
-            let mut nodes = BTreeSet::new();
-            model.collect(&covariance.product, &mut nodes);
-            let mut behind = nodes.into_iter().flat_map(|n| match n {
-                Node::Symbol(symbol) => BTreeSet::from([symbol]),
-                node => model.symbols_behind(node, &none),
-            });
-            let is_process = |s: usize| model.symbols[s].function_of.is_some();
-            let mut letters = behind.by_ref().peekable();
-            letters.peek().is_some() && !letters.any(is_process)
-        })
     }
 
     /// What stands once a second route has looked at a verdict: what is proved true unless it is
@@ -412,16 +347,12 @@ impl Checker<'_> {
         });
         match found {
             Ok(correction) => {
-                self.exact.correct(equation, correction.display.clone());
+                self.correct(equation, correction.display.clone());
                 if let Some((definition, display)) = &correction.definition {
-                    self.exact.correct(*definition, display.clone());
+                    self.correct(*definition, display.clone());
                 }
-                let definitions = &self.model.definitions;
-                let defines = definitions.iter().any(|d| d.equation == equation);
-                if defines || correction.definition.is_some() {
-                    // It was computed so before the correction was accepted.
-                    let _ = self.insert_anew();
-                }
+                // The divisors of the corrected equation are those that must not vanish.
+                let _ = self.sides(equation, link);
                 Verdict::Misprint {
                     refutation,
                     correction: Box::new(correction),

@@ -33,25 +33,25 @@ mod statement;
 mod stationary;
 pub(crate) mod trial;
 mod units;
+mod unwritten;
 mod witness;
 mod words;
+mod worlds;
 
 pub(crate) use recalled::recalled_and_false;
 
 use crate::diagnostic::Diagnostic;
-use crate::domain::{Domain, Symbolic};
-use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
+use crate::domain::Symbolic;
+use crate::evaluate::{self, Evaluator, Failure, FailureKind};
 use crate::expr::Display;
-use crate::model::{Letter, Model, Node};
+use crate::model::Model;
 use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
 use hypotheses::Supposed;
-use ratpoly::allowance::Exhausted;
-use ratpoly::{RationalFunction, allowance};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
+use worlds::Insertions;
 
 /// How much is spent.
 #[derive(Clone, Copy, Debug)]
@@ -86,9 +86,9 @@ pub struct Checker<'m> {
     pub(crate) instance: usize,
     options: Options,
     /// What is supposed of the letters: by their declarations, and by hypotheses where these hold.
-    pub(crate) supposed: Supposed,
+    pub(crate) supposed: Arc<Supposed>,
     /// For each letter that is an abbreviation, its value in the declared symbols.
-    pub(crate) inserted: BTreeMap<usize, RationalFunction>,
+    pub(crate) inserted: Arc<Insertions>,
     diagnostics: Vec<Diagnostic>,
     readings: units::KnownReadings,
     /// Whether one slip in a definition is sought that explains several false claims.
@@ -102,7 +102,7 @@ pub struct Checker<'m> {
     /// The steps that are left for all links.
     pool: bounded::Pool,
     /// The equations as printed, with their hashes.
-    prints: BTreeMap<usize, Arc<Print>>,
+    prints: Arc<[OnceLock<Arc<Print>>]>,
 }
 
 /// The verdicts on a model.
@@ -181,88 +181,15 @@ impl<'m> Checker<'m> {
         options: Options,
         instance: usize,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let exact = symbolic(model).in_instance(instance);
-        let declared = Supposed::declared(model);
-        let mut checker = Checker::with(exact, options, BTreeMap::new(), declared);
+        let world = evaluate::symbolic(model).in_instance(instance);
+        let exact = world.evaluator(model.field());
+        let declared = Arc::new(Supposed::declared(model));
+        let mut checker = Checker::with(exact, options, Arc::default(), declared);
         checker.insert_abbreviations();
         if checker.diagnostics.is_empty() {
             Ok(checker)
         } else {
             Err(checker.diagnostics)
-        }
-    }
-
-    /// A checker with these values of the abbreviations, which has found nothing yet.
-    fn with(
-        exact: Evaluator<'m, Symbolic>,
-        options: Options,
-        inserted: BTreeMap<usize, RationalFunction>,
-        supposed: Supposed,
-    ) -> Self {
-        Checker {
-            supposed,
-            model: exact.model(),
-            instance: exact.instance(),
-            exact,
-            options,
-            inserted,
-            diagnostics: Vec::new(),
-            readings: Default::default(),
-            in_definitions: true,
-            tell: None,
-            failure: None,
-            contradiction: None,
-            pool: bounded::Pool::default(),
-            prints: BTreeMap::new(),
-        }
-    }
-
-    /// Computes the values of all abbreviations in the declared symbols.
-    fn insert_abbreviations(&mut self) {
-        let model = self.model;
-        self.inserted.clear();
-        let abbreviation = |node: &Node| matches!(node, Node::Definition(d) if model.definitions[*d].letter.is_some());
-        let mut without_value = self.exact.without_value().clone();
-        without_value.retain(|node, _| !abbreviation(node));
-        self.exact.set_without_value(without_value);
-        let mut kept = 0;
-        let term = self.exact.field.bytes_of_a_term();
-        let bytes =
-            |f: &RationalFunction| term.saturating_mul(f.numerator().len() + f.denominator().len());
-        let mut expanding = self.exact.anew();
-        expanding.keep_abbreviations = false;
-        for (letter, kind) in model.letters.iter().enumerate() {
-            if let Letter::Abbreviation { definition } = kind {
-                let node = (Node::Definition(*definition), Vec::new(), 0);
-                let span = model.equations[model.definitions[*definition].equation].span;
-                let value = || expanding.value_of(node.clone(), span);
-                let found = allowance::within(self.allowance(), value);
-                let found = found.unwrap_or_else(|exhausted| {
-                    expanding = self.exact.anew();
-                    expanding.keep_abbreviations = false;
-                    let what = bounded::words(exhausted).into();
-                    Err(Failure::new(FailureKind::Exhausted { what }, span))
-                });
-                match found {
-                    // All of them are kept as long as the checker is.
-                    Ok(Value::Scalar(value)) if kept + bytes(&value) > bounded::BYTES => {
-                        let what = bounded::words(Exhausted::Memory).into();
-                        let kind = FailureKind::Exhausted { what };
-                        self.exact.has_no_value(Node::Definition(*definition), kind);
-                    }
-                    Ok(Value::Scalar(value)) => {
-                        kept += bytes(&value);
-                        self.inserted.insert(letter, value);
-                    }
-                    Ok(_) => {}
-                    Err(failure) => {
-                        self.note(&failure);
-                        // A letter for what has no value would pass for any number.
-                        let node = Node::Definition(*definition);
-                        self.exact.has_no_value(node, failure.kind);
-                    }
-                }
-            }
         }
     }
 
@@ -299,7 +226,7 @@ impl<'m> Checker<'m> {
 
     /// The display that an equation is evaluated from.
     fn display(&self, equation: usize) -> Cow<'m, Display> {
-        match self.exact.corrected_display(equation) {
+        match self.exact.world().correction(equation) {
             Some(display) => Cow::Owned(display.clone()),
             None => Cow::Borrowed(&self.model.equations[equation].display),
         }
@@ -328,22 +255,23 @@ impl<'m> Checker<'m> {
                 let reason = self.words_of(&unusable);
                 self.settle_links(equation, Some(&reason))
             }
-            Ok(hypotheses) => {
-                let free = std::mem::replace(&mut self.exact, hypotheses.exact);
-                let inserted = std::mem::replace(&mut self.inserted, hypotheses.inserted);
-                let declared = std::mem::replace(&mut self.supposed, hypotheses.supposed);
-                let outcomes = self.settle_links(equation, None);
-                let under = std::mem::replace(&mut self.exact, free);
-                self.inserted = inserted;
-                self.supposed = declared;
-                for (node, kind) in under.without_value() {
-                    self.exact.has_no_value(*node, kind.clone());
-                }
-                if let Some((_, display)) = under.corrections().find(|(e, _)| **e == equation) {
-                    self.exact.correct(equation, display.clone());
-                }
+            Ok(mut under) => {
+                let outcomes = under.settle_links(equation, None);
+                self.learn(equation, under);
                 outcomes
             }
+        }
+    }
+
+    /// Takes over what a checker has found under the hypotheses of an equation.
+    fn learn(&mut self, equation: usize, under: Checker<'m>) {
+        self.pool = under.pool;
+        self.diagnostics.extend(under.diagnostics);
+        for (node, kind) in under.exact.world().without_value() {
+            self.has_no_value(*node, kind.clone());
+        }
+        if let Some(display) = under.exact.world().correction(equation) {
+            self.correct(equation, display.clone());
         }
     }
 
@@ -359,7 +287,7 @@ impl<'m> Checker<'m> {
         let printed = &self.model.equations[equation];
         self.contradiction = None;
         let mut positivity = None;
-        let before = self.exact.corrected_display(equation).cloned();
+        let before = self.exact.world().correction(equation).cloned();
         let found = self.bounded(|checker| {
             let mut positivity = None;
             let verdict = checker.verdict(equation, l, unusable, &mut positivity);
@@ -399,26 +327,19 @@ impl<'m> Checker<'m> {
     }
 }
 
-/// An evaluator over the rational functions in the model's letters.
-pub(crate) fn symbolic(model: &Model) -> Evaluator<'_, Symbolic> {
-    let letters = (0..model.letters.len())
-        .map(|i| RationalFunction::variable(model.ring, i))
-        .collect();
-    Evaluator::new(model, model.field(), letters)
-}
-
-/// The same with the corrected displays of these verdicts in place of the printed ones.
+/// An evaluator over the rational functions in the model's letters, with the corrected displays of these
+/// verdicts in place of the printed ones.
 pub(crate) fn corrected<'m>(model: &'m Model, outcomes: &[Outcome]) -> Evaluator<'m, Symbolic> {
-    let mut exact = symbolic(model);
+    let mut world = evaluate::symbolic(model);
     for outcome in outcomes {
         if let Verdict::Misprint { correction, .. } = &outcome.verdict {
-            exact.correct(outcome.equation, correction.display.clone());
+            world = world.corrected(outcome.equation, correction.display.clone());
             if let Some((definition, display)) = &correction.definition {
-                exact.correct(*definition, display.clone());
+                world = world.corrected(*definition, display.clone());
             }
         }
     }
-    exact
+    world.evaluator(model.field())
 }
 
 /// All tuples of indices in these ranges, the last running fastest.

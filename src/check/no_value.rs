@@ -16,10 +16,12 @@ use ratpoly::RationalFunction;
 impl Checker<'_> {
     /// The failure by the first of the recorded divisors that is zero with all definitions inserted.
     pub(super) fn vanishing_divisor(&self) -> Option<Failure> {
-        let conditions = &self.exact.conditions;
-        let zero = conditions.iter().find(|c| self.vanishes(&c.divisor))?;
+        // The end of a range may belong to it.
+        let divisors = self.exact.conditions.iter();
+        let mut divisors = divisors.filter(|c| !matches!(c.origin, Origin::Range(_)));
+        let zero = divisors.find(|c| self.vanishes(&c.divisor))?;
         let span = match &zero.origin {
-            Origin::Divisor(span) => *span,
+            Origin::Divisor(span) | Origin::Range(span) => *span,
             Origin::Determinant(equation) | Origin::Stability(equation) => {
                 self.model.equations[*equation].span
             }
@@ -65,7 +67,7 @@ impl Checker<'_> {
             })
             .collect();
         let free = point.clone();
-        for (letter, value) in &self.inserted {
+        for (letter, value) in self.inserted.iter() {
             point[*letter] = field.image(value, &free)?;
         }
         field.image(element, &point)

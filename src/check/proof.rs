@@ -105,7 +105,7 @@ impl Checker<'_> {
                 Letter::Symbol { .. } | Letter::Function { .. } => None,
             })
             .collect();
-        let corrected = self.exact.corrected_display(equation);
+        let corrected = self.exact.world().correction(equation);
         Subject {
             document: model.document.name.clone(),
             print: match corrected {
@@ -130,11 +130,10 @@ impl Checker<'_> {
     }
 
     /// An equation as printed.
-    fn print(&mut self, equation: usize) -> Arc<Print> {
+    fn print(&self, equation: usize) -> Arc<Print> {
         let printed = &self.model.equations[equation];
-        let print = self.prints.entry(equation);
         let new = || Arc::new(Print::new(&printed.label, &printed.source));
-        Arc::clone(print.or_insert_with(new))
+        Arc::clone(self.prints[equation].get_or_init(new))
     }
 
     fn declared(&self, letter: usize) -> DeclaredLetter {

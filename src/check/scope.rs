@@ -125,11 +125,11 @@ impl Checker<'_> {
             return Some(Verdict::Refuted(refutation));
         };
         let alternatives = mended.map(|(_, edits)| edits).collect();
-        self.exact.correct(equation, corrected.clone());
-        let Some(proof) = self.verified(equation, link, Steps::Scope) else {
-            self.exact.correct(equation, display);
+        let mut trial = self.corrected(equation, corrected.clone());
+        let Some(proof) = trial.verified(equation, link, Steps::Scope) else {
             return Some(Verdict::Refuted(refutation));
         };
+        self.adopt(trial);
         Some(Verdict::Misprint {
             refutation,
             correction: Box::new(Correction {

@@ -6,6 +6,7 @@
 //! which it is true; and not where the factor is, but for a number, the equation itself.
 
 use super::Checker;
+use super::hypotheses::Supposed;
 use super::identity::{Insertion, insert, is_the_claim, letters_of};
 use super::link::unverified;
 use crate::expr::Display;
@@ -50,11 +51,7 @@ impl Checker<'_> {
             return verdict;
         };
         if matches!(verdict, Verdict::Misprint { .. }) {
-            self.exact.correct(equation, before.clone());
-            let definitions = &self.model.definitions;
-            if definitions.iter().any(|d| d.equation == equation) {
-                let _ = self.insert_anew();
-            }
+            self.correct(equation, before.clone());
         }
         match self.proved(equation, link, &[], &Insertion::default(), Some(&given)) {
             Some(proof) => Verdict::HoldsGiven(Box::new(given), proof),
@@ -142,7 +139,7 @@ impl Checker<'_> {
 
     /// A point at which the relation holds, and with it the equation.
     fn zero_of(&self, relation: &Polynomial, cofactors: &[GivenEntry]) -> Option<Witness> {
-        let mut supposed = self.supposed.clone();
+        let mut supposed = Supposed::clone(&self.supposed);
         supposed.relations.push(relation.clone());
         let sides = cofactors
             .iter()

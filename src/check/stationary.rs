@@ -93,7 +93,7 @@ impl Checker<'_> {
                 None
             }
             Standing::Never(proof) => {
-                self.exact.has_no_value(node, FailureKind::NotStationary);
+                self.has_no_value(node, FailureKind::NotStationary);
                 Some(Verdict::Refuted(Refutation::by_counter_proof(proof)))
             }
             // What is stated is stated; what is computed must exist.
@@ -101,7 +101,7 @@ impl Checker<'_> {
             Standing::Unknown => {
                 let what = "a covariance of a system that nothing shows to be stable";
                 let kind = FailureKind::Unsupported { what: what.into() };
-                self.exact.has_no_value(node, kind);
+                self.has_no_value(node, kind);
                 Some(Verdict::Undecided {
                     reason: "nothing shows that the system is stable: declare its letters \
                              positive, or give them values"

@@ -3,16 +3,15 @@
 //! A link is decided by the code that decides every verdict; only the bookkeeping around it is
 //! here: which values a changed display makes stale, and what a verdict says of a changed equation.
 
+use super::Checker;
 use super::sides::sides_of;
-use super::{Checker, Options};
 use crate::diagnostic::DiagnosticKind;
-use crate::evaluate::{Displaced, Failure, FailureKind, Value};
+use crate::evaluate::{Failure, FailureKind, Value};
 use crate::expr::Display;
 use crate::model::links::Link;
-use crate::model::{Definition, DefinitionKind, Letter, Node};
+use crate::model::{Definition, DefinitionKind, Node};
 use crate::verdict::{Correction, Verdict};
 use ratpoly::RationalFunction;
-use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// What the checker says of a link or a definition of a changed equation.
@@ -107,23 +106,10 @@ impl fmt::Display for Nonsense {
     }
 }
 
-/// What a changed equation has displaced.
-pub(crate) struct Change {
-    displaced: Displaced<RationalFunction>,
-    inserted: Option<BTreeMap<usize, RationalFunction>>,
-    without_value: BTreeMap<Node, FailureKind>,
-}
-
 /// Both sides of a link for each value of its indices, all definitions inserted.
 pub(crate) type Expanded = Vec<[Value<RationalFunction>; 2]>;
 
 impl<'m> Checker<'m> {
-    /// A checker that has computed what this one has and spends what `options` say.
-    pub(crate) fn twin(&self, options: Options) -> Self {
-        let (inserted, supposed) = (self.inserted.clone(), self.supposed.clone());
-        Checker::with(self.exact.twin(), options, inserted, supposed)
-    }
-
     /// A checker in which the hypotheses printed around an equation hold; none where there are none.
     ///
     /// # Errors
@@ -133,50 +119,9 @@ impl<'m> Checker<'m> {
             return None;
         }
         Some(match self.under_hypotheses(equation) {
-            Ok(under) => {
-                let (inserted, supposed) = (under.inserted, under.supposed);
-                Ok(Checker::with(under.exact, self.options, inserted, supposed))
-            }
+            Ok(under) => Ok(under),
             Err(unusable) => Err(self.words_of(&unusable)),
         })
-    }
-
-    /// Puts a changed display in place of an equation's; `stale` are the nodes whose values depend
-    /// on it.
-    pub(crate) fn put_in_place(
-        &mut self,
-        equation: usize,
-        display: Display,
-        stale: &BTreeSet<Node>,
-    ) -> Change {
-        let without_value = self.exact.without_value().clone();
-        let displaced = self.exact.put_in_place(equation, display, stale);
-        let abbreviation = |letter: &Letter| {
-            matches!(letter, Letter::Abbreviation { definition }
-                if stale.contains(&Node::Definition(*definition)))
-        };
-        let model = self.model;
-        let inserted = model.letters.iter().any(abbreviation).then(|| {
-            let before = self.inserted.clone();
-            self.insert_abbreviations();
-            before
-        });
-        Change {
-            displaced,
-            inserted,
-            without_value,
-        }
-    }
-
-    /// Undoes [`Checker::put_in_place`].
-    pub(crate) fn put_back(&mut self, change: Change) {
-        self.exact.put_back(change.displaced);
-        self.exact.set_without_value(change.without_value);
-        if let Some(inserted) = change.inserted {
-            self.inserted = inserted;
-        }
-        self.diagnostics.clear();
-        self.failure = None;
     }
 
     /// What is wrong with the abbreviations since a change was put in place, if anything.

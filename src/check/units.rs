@@ -59,8 +59,8 @@ impl Checker<'_> {
     /// In how many places the units of an equation do not fit if it reads so.
     fn unit_misfits(&self, equation: usize, display: &Display) -> usize {
         let label = |e: usize| &self.model.equations[e].label[..];
-        let corrections = self.exact.corrections();
-        let others: Vec<_> = corrections.filter(|(e, _)| **e != equation).collect();
+        let corrections = self.exact.world().corrections();
+        let others: Vec<_> = corrections.filter(|(e, _)| *e != equation).collect();
         let mut known = self.readings.borrow_mut();
         let same = |r: &Readings| {
             r.equation == equation
@@ -68,7 +68,7 @@ impl Checker<'_> {
                 && r.others
                     .iter()
                     .zip(&others)
-                    .all(|((e, d), other)| (e, d) == *other)
+                    .all(|((e, d), other)| (*e, d) == *other)
         };
         if !known.as_ref().is_some_and(same) {
             let mut before = Units::of(self.model);
@@ -77,7 +77,7 @@ impl Checker<'_> {
             }
             *known = Some(Readings {
                 equation,
-                others: others.iter().map(|(e, d)| (**e, (*d).clone())).collect(),
+                others: others.iter().map(|(e, d)| (*e, (*d).clone())).collect(),
                 before,
                 misfits: Vec::new(),
             });

@@ -15,6 +15,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use ratpoly::RationalFunction;
+use std::sync::Arc;
 
 /// How many points are looked at: the sides differ at all but few.
 const TRIES: u32 = 24;
@@ -104,9 +105,12 @@ impl Checker<'_> {
         link: &Link,
         missing: String,
     ) -> Refutation {
-        self.exact.lenient = true;
-        let entries = self.sides(equation, link);
-        self.exact.lenient = false;
+        let world = self.exact.world().clone().leniently();
+        let exact = self.exact.in_world(world);
+        let (inserted, supposed) = (Arc::clone(&self.inserted), Arc::clone(&self.supposed));
+        let entries = self
+            .elsewhere(exact, inserted, supposed)
+            .sides(equation, link);
         let mut residual = Vec::new();
         let mut witness = None;
         if let Ok(entries) = entries {
@@ -237,7 +241,7 @@ impl Checker<'_> {
                 _ => self.admitted_value(letter, small(letter, 1), 0),
             })
             .collect();
-        for (letter, value) in &self.inserted {
+        for (letter, value) in self.inserted.iter() {
             if let Ok(value) = value.evaluate(&point) {
                 point[*letter] = value;
             }

@@ -159,25 +159,6 @@ pub(crate) fn exact_point(
     point
 }
 
-/// The abbreviations' values in the declared symbols.
-pub(crate) fn abbreviations(
-    model: &Model,
-    exact: &mut evaluate::Evaluator<'_, Symbolic>,
-) -> Vec<(usize, RationalFunction)> {
-    exact.keep_abbreviations = false;
-    let mut found = Vec::new();
-    for (letter, kind) in model.letters.iter().enumerate() {
-        if let Letter::Abbreviation { definition } = kind {
-            let key = (crate::model::Node::Definition(*definition), Vec::new(), 0);
-            if let Ok(evaluate::Value::Scalar(value)) = exact.value_of(key, Default::default()) {
-                found.push((letter, value));
-            }
-        }
-    }
-    exact.keep_abbreviations = true;
-    found
-}
-
 /// The value of an element with functions, to more digits than any double has.
 fn enclosed_at(model: &Model, f: &RationalFunction, point: &[BigRational]) -> Option<BigRational> {
     let table = model.functions.as_ref()?;

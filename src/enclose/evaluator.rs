@@ -46,6 +46,8 @@ pub struct Evaluator<'w, 'm> {
     /// What is being computed, each with the number of its innermost layer.
     pub(super) open: BTreeSet<(Key, u64)>,
     pub(super) layers_so_far: u64,
+    /// How many layers lie below the expectation that is being computed, if one is.
+    pub(super) expected_above: Option<usize>,
     pub(super) bound: Vec<(String, i64)>,
     /// How many rows the next matrix should have where zeros of any shape leave that open.
     pub(super) wanted_rows: Option<usize>,
@@ -67,6 +69,7 @@ impl<'w, 'm> Evaluator<'w, 'm> {
             known: BTreeMap::new(),
             open: BTreeSet::new(),
             layers_so_far: 0,
+            expected_above: None,
             bound: Vec::new(),
             wanted_rows: None,
             coarse: false,

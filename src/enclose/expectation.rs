@@ -11,7 +11,7 @@ use super::degrees::Degrees;
 use super::evaluator::{Evaluator, Result};
 use super::failure::Reason;
 use super::jet::Jet;
-use super::letters::LayerKind;
+use super::letters::{Layer, LayerKind};
 use super::value::Value;
 use crate::expr::Expr;
 use crate::matrix::Matrix;
@@ -46,7 +46,24 @@ struct Quadratic {
 }
 
 impl Evaluator<'_, '_> {
+    /// An expectation; one inside of another knows nothing of what the outer one varies.
     pub(super) fn expectation(&mut self, body: &Expr, span: Span) -> Result<Value> {
+        let outer = self.expected_above;
+        let depth = outer.unwrap_or(self.layers.len());
+        let varies = |layer: &Layer| matches!(layer.kind, LayerKind::Given(_));
+        if !self.layers[depth..].iter().all(varies) {
+            let what = "an expectation of what another one varies";
+            return Err(Reason::Unsupported(what).at(span));
+        }
+        self.below(depth, |evaluator| {
+            evaluator.expected_above = Some(depth);
+            let found = evaluator.expectation_alone(body, span);
+            evaluator.expected_above = outer;
+            found
+        })
+    }
+
+    fn expectation_alone(&mut self, body: &Expr, span: Span) -> Result<Value> {
         let world = self.world;
         let degree = Degrees::new(world).of(body);
         if degree.is_none_or(|degree| degree > 2) {

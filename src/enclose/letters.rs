@@ -310,7 +310,7 @@ impl Evaluator<'_, '_> {
                 let time = latex::canonical(letter);
                 // What it holds fixed, the print does not say.
                 let processes = |s: &usize| self.world.model.symbols[*s].function_of.is_some();
-                if self.is_partial(span) && behind.symbols.iter().any(processes) {
+                if self.world.model.is_partial(span) && behind.symbols.iter().any(processes) {
                     return Err(Reason::Unsupported("a partial derivative by the time").at(span));
                 }
                 return self.rate(order, &behind, Some(time), span, |e| e.expression(body));
@@ -321,20 +321,14 @@ impl Evaluator<'_, '_> {
         let Ok(Resolved::Letter { symbol, order: of }) = resolved else {
             return Err(Reason::Unsupported("a derivative by what is no letter").at(span));
         };
+        if self.world.model.symbols[symbol].range.numbers == Numbers::Integer {
+            return Err(Reason::Unsupported("a derivative by an integer").at(span));
+        }
         if self.point.tangle.symbols.contains(&symbol) {
             let what = "a derivative by a letter that a hypothesis is about";
             return Err(Reason::Unsupported(what).at(span));
         }
         self.partial(symbol, of, order, span, |e| e.expression(body))
-    }
-
-    /// Whether what is printed there begins with curly d's.
-    fn is_partial(&self, span: Span) -> bool {
-        let text = &self.world.model.document.text;
-        let printed = text.get(span.start..span.end).unwrap_or_default();
-        let first = printed.find("\\partial");
-        // Before it stands the fraction's command at most.
-        first.is_some_and(|at| at < 8)
     }
 
     /// The partial derivative of what `body` computes by a symbol or by a derivative of it.

@@ -20,6 +20,36 @@ use crate::span::Span;
 /// The most combinations of cases that are looked at.
 const MOST_CASES: usize = 64;
 
+/// Which case of the definitions by cases that are met is looked at.
+#[derive(Debug)]
+pub(super) struct Choice<E> {
+    /// The number of the combination of cases, from 0.
+    pub case: usize,
+    /// How many combinations the definitions met so far have; 0 where none was met.
+    pub met: usize,
+    /// The product of the choices so far.
+    radix: usize,
+    /// What the cases chosen so far suppose; of no meaning where no case was met.
+    supposed: Vec<Supposed<E>>,
+}
+
+impl<E> Default for Choice<E> {
+    fn default() -> Self {
+        Choice::of(0)
+    }
+}
+
+impl<E> Choice<E> {
+    fn of(case: usize) -> Self {
+        Choice {
+            case,
+            met: 0,
+            radix: 1,
+            supposed: Vec::new(),
+        }
+    }
+}
+
 type Result<T> = std::result::Result<T, Failure>;
 
 /// What becomes of a condition.
@@ -35,10 +65,17 @@ enum Standing<E> {
 }
 
 impl<D: Domain> Evaluator<'_, D> {
-    /// Looks at one combination of cases from now on, numbered from 0.
-    pub(crate) fn begin_case(&mut self, case: usize) {
-        (self.case, self.cases_met, self.radix) = (case, 0, 1);
-        self.supposed.clear();
+    /// The result of `body` in one combination of cases, numbered from 0, and how many the definitions by
+    /// cases that it met have; 0 where it met none.
+    pub(crate) fn in_case<T>(
+        &mut self,
+        case: usize,
+        body: impl FnOnce(&mut Self) -> T,
+    ) -> (T, usize) {
+        let outer = std::mem::replace(&mut self.choice, Choice::of(case));
+        let result = body(self);
+        let met = std::mem::replace(&mut self.choice, outer).met;
+        (result, met)
     }
 
     /// The results of `body` in each case of the definitions by cases that it meets, with the number of
@@ -54,11 +91,9 @@ impl<D: Domain> Evaluator<'_, D> {
         let mut most = 0;
         loop {
             let case = results.len();
-            self.begin_case(case);
-            let result = body(self);
+            let (result, met) = self.in_case(case, &mut body);
             // Some paths have more choices than others; their prefixes come first.
-            most = most.max(self.cases_met);
-            self.begin_case(0);
+            most = most.max(met);
             results.push(((most > 1).then_some(case), result?));
             if results.len() >= most {
                 return Ok(results);
@@ -71,11 +106,11 @@ impl<D: Domain> Evaluator<'_, D> {
         let Some(functions) = self.field.functions() else {
             return value;
         };
-        if self.cases_met == 0 || self.supposed.is_empty() {
+        if self.choice.met == 0 || self.choice.supposed.is_empty() {
             return value;
         }
         let anew = |element: &D::Element| -> std::result::Result<D::Element, Failure> {
-            let value = functions.value_where(element, &self.supposed);
+            let value = functions.value_where(element, &self.choice.supposed);
             Ok(value.unwrap_or_else(|_| element.clone()))
         };
         value.try_map(anew).unwrap_or(value)
@@ -87,8 +122,8 @@ impl<D: Domain> Evaluator<'_, D> {
         cases: &[(Expr, Vec<Chain>)],
         span: Span,
     ) -> Result<Value<D::Element>> {
-        if self.cases_met == 0 {
-            self.begin_case(self.case);
+        if self.choice.met == 0 {
+            self.choice = Choice::of(self.choice.case);
         }
         let mut admitted = Vec::new();
         let mut between = false;
@@ -123,13 +158,13 @@ impl<D: Domain> Evaluator<'_, D> {
             }
             // Without signs no condition is recognised a second time: one choice for all.
             None => {
-                self.cases_met = self.cases_met.max(choices);
-                self.case.min(choices - 1)
+                self.choice.met = self.choice.met.max(choices);
+                self.choice.case.min(choices - 1)
             }
             Some(_) => {
-                let choice = self.case / self.radix % choices;
-                self.radix *= choices;
-                if self.radix > MOST_CASES {
+                let choice = self.choice.case / self.choice.radix % choices;
+                self.choice.radix *= choices;
+                if self.choice.radix > MOST_CASES {
                     return Err(Failure::new(
                         FailureKind::Budget {
                             what: "combinations of cases".into(),
@@ -137,12 +172,12 @@ impl<D: Domain> Evaluator<'_, D> {
                         span,
                     ));
                 }
-                self.cases_met = self.cases_met.max(self.radix);
+                self.choice.met = self.choice.met.max(self.choice.radix);
                 choice
             }
         };
         let (value, supposed) = admitted.swap_remove(choice);
-        self.supposed.extend(supposed);
+        self.choice.supposed.extend(supposed);
         self.expression(value)
     }
 
@@ -151,11 +186,11 @@ impl<D: Domain> Evaluator<'_, D> {
         if range.is_empty() {
             return Ok(());
         }
-        if self.cases_met == 0 {
-            self.begin_case(self.case);
+        if self.choice.met == 0 {
+            self.choice = Choice::of(self.choice.case);
         }
         // Ends that are letters are as far out as an integral needs them.
-        let by_letters = !self.open_integrals.is_empty()
+        let by_letters = !self.frame.open_integrals.is_empty()
             && range.iter().flat_map(|chain| &chain.members).any(|member| {
                 let value = self.expression(member);
                 let letters = |v: Value<D::Element>| {
@@ -174,8 +209,15 @@ impl<D: Domain> Evaluator<'_, D> {
                 span,
             )),
             Ok(Standing::Open(supposed) | Standing::Between(supposed)) => {
-                self.cases_met = self.cases_met.max(self.radix);
-                self.supposed.extend(supposed);
+                let functions = self.field.functions();
+                let depends = |e: &D::Element| functions.is_some_and(|f| f.depends_on_bound(e));
+                let meant = supposed.iter().filter(|s| !depends(&s.element));
+                self.conditions.extend(meant.map(|s| super::Condition {
+                    divisor: s.element.clone(),
+                    origin: super::Origin::Range(span),
+                }));
+                self.choice.met = self.choice.met.max(self.choice.radix);
+                self.choice.supposed.extend(supposed);
                 Ok(())
             }
         }
@@ -275,7 +317,13 @@ impl<D: Domain> Evaluator<'_, D> {
         let Some(functions) = self.field.functions() else {
             return Ok(Standing::Open(Vec::new()));
         };
-        let known: Vec<_> = self.supposed.iter().chain(&self.between).cloned().collect();
+        let known: Vec<_> = self
+            .choice
+            .supposed
+            .iter()
+            .chain(&self.frame.between)
+            .cloned()
+            .collect();
         let sign = functions.sign_where(&difference, &known);
         let standing = match (relation, sign) {
             (Relation::Less, Some(KnownSign::Positive)) => Some(true),
@@ -324,13 +372,12 @@ impl<D: Domain> Evaluator<'_, D> {
         let refused = || Failure::unsupported("a definition by cases under an integral", span);
         let functions = self.field.functions().ok_or_else(refused)?;
         let occurring = self.field.letters(difference);
-        let mut variables =
-            self.open_integrals
-                .iter()
-                .filter_map(|open| match self.field.letters(&open.0)[..] {
-                    [letter] if occurring.contains(&letter) => Some((letter, open)),
-                    _ => None,
-                });
+        let mut variables = self.frame.open_integrals.iter().filter_map(|open| {
+            match self.field.letters(&open.0)[..] {
+                [letter] if occurring.contains(&letter) => Some((letter, open)),
+                _ => None,
+            }
+        });
         let (Some((letter, (variable, from, to))), None) = (variables.next(), variables.next())
         else {
             return Err(refused());
@@ -355,7 +402,7 @@ impl<D: Domain> Evaluator<'_, D> {
                     if functions.depends_on_bound(&there) {
                         return Err(refused());
                     }
-                    let sign = functions.sign_where(&there, &self.supposed);
+                    let sign = functions.sign_where(&there, &self.choice.supposed);
                     if !sign.is_some_and(|s| s.is_not_negative() || s == KnownSign::Negative) {
                         open.push(Supposed {
                             element: there,
@@ -364,9 +411,9 @@ impl<D: Domain> Evaluator<'_, D> {
                     }
                     sign
                 }
-                End::Above => functions.sign_where(&slope, &self.supposed),
+                End::Above => functions.sign_where(&slope, &self.choice.supposed),
                 End::Below => functions
-                    .sign_where(&slope, &self.supposed)
+                    .sign_where(&slope, &self.choice.supposed)
                     .map(KnownSign::reversed),
             };
             ends.push(match sign {

@@ -54,13 +54,11 @@ impl<D: Domain> Evaluator<'_, D> {
             self.combinations(body, span)?
         } else {
             // What is random is known by its letters; only the covariances are taken here.
-            let mut symbolic = crate::check::symbolic(self.model).in_instance(self.instance);
-            symbolic.keep_abbreviations = self.keep_abbreviations;
-            for (equation, display) in &self.corrected {
-                symbolic.correct(*equation, display.clone());
-            }
+            let model = self.model;
+            let world = self.world.with_letters(super::letters_themselves(model));
+            let mut symbolic = world.evaluator(model.field());
             let combinations =
-                symbolic.with_indices(&self.bound, |e| e.combinations(body, span))?;
+                symbolic.with_indices(&self.frame.bound, |e| e.combinations(body, span))?;
             combinations.try_map(|combination| self.image(combination, span))?
         };
         let mut covariances = Vec::new();
@@ -112,7 +110,7 @@ impl<D: Domain> Evaluator<'_, D> {
         span: Span,
     ) -> Result<Combination<D::Element>, Failure> {
         let image = |f: &RationalFunction| {
-            self.field.image(f, &self.letters).ok_or_else(|| {
+            self.field.image(f, self.world.letters()).ok_or_else(|| {
                 Failure::unsupported("an expectation with a coefficient that has no value", span)
             })
         };

@@ -5,7 +5,7 @@
 //! on these letters keeps the value it has. The variable of an integral is a letter of its own, so
 //! that it cannot be mistaken for the same letter outside.
 
-use super::{Evaluator, Failure, FailureKind, Key, Known, Value};
+use super::{Evaluator, Failure, FailureKind, Value};
 use crate::domain::Domain;
 use crate::expr::{Chain, Expr, ExprKind, Function, Name, Sign};
 use crate::functions::integral::End;
@@ -13,17 +13,10 @@ use crate::functions::{Constant, Functions, Possible, Sign as KnownSign, Suppose
 use crate::latex;
 use crate::model::links::Place;
 use crate::model::names::Resolved;
+use crate::model::range::Numbers;
 use crate::model::{Definition, Letter, Node, NotationKind};
 use crate::span::Span;
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
-
-/// Symbols that stand for something else, and the values computed so.
-#[derive(Debug)]
-pub(super) struct Replaced<E> {
-    pub(super) symbols: BTreeSet<usize>,
-    pub(super) known: BTreeMap<Key, Known<E>>,
-}
 
 type Result<T> = std::result::Result<T, Failure>;
 
@@ -131,6 +124,7 @@ impl<D: Domain> Evaluator<'_, D> {
             let Value::Scalar(argument) = self.expression(argument)? else {
                 return Err(Failure::unsupported("a distribution of a matrix", span));
             };
+            self.refuse_at_an_end(&argument, span)?;
             let functions = self.functions("the Dirac distribution", span)?;
             return Self::possible(functions.dirac(&argument), span).map(Value::Scalar);
         }
@@ -150,6 +144,31 @@ impl<D: Domain> Evaluator<'_, D> {
         } else {
             Err(Failure::unsupported("a function at another argument", span))
         }
+    }
+
+    /// Refuses a distribution where an integral over it may end: which half of it counts is not written.
+    fn refuse_at_an_end(&self, argument: &D::Element, span: Span) -> Result<()> {
+        let functions = self.functions("the Dirac distribution", span)?;
+        let occurring = self.field.letters_behind(argument);
+        for (variable, from, to) in &self.frame.open_integrals {
+            let letters = self.field.letters(variable);
+            let [letter] = letters[..] else { continue };
+            if !occurring.contains(&letter) {
+                continue;
+            }
+            for end in [from, to] {
+                let End::At(end) = end else { continue };
+                let there = Self::possible(functions.put(argument, letter, end), span)?;
+                if !matches!(
+                    functions.sign(&there),
+                    Some(Ordering::Less | Ordering::Greater)
+                ) {
+                    let what = "a distribution at the end of an integral";
+                    return Err(Failure::unsupported(what, span));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The letters that a definition is one of functions of, as corrected.
@@ -219,60 +238,6 @@ impl<D: Domain> Evaluator<'_, D> {
         })
     }
 
-    /// Runs `body` while symbols stand for something else.
-    pub fn with_symbols<T>(
-        &mut self,
-        images: Vec<(usize, D::Element)>,
-        body: impl FnOnce(&mut Self) -> T,
-    ) -> T {
-        let mut before = Vec::new();
-        let mut symbols = BTreeSet::new();
-        for (symbol, image) in images {
-            let Some(letter) = self.model.letter_of_symbol(symbol, 0) else {
-                continue;
-            };
-            if self.letters[letter] != image {
-                let old = std::mem::replace(&mut self.letters[letter], image);
-                before.push((letter, old));
-                symbols.insert(symbol);
-            }
-        }
-        if symbols.is_empty() {
-            return body(self);
-        }
-        if let Some(outer) = self.replaced.last() {
-            symbols.extend(&outer.symbols);
-        }
-        self.replaced.push(Replaced {
-            symbols,
-            known: BTreeMap::new(),
-        });
-        let open = std::mem::take(&mut self.open);
-        let result = body(self);
-        self.open = open;
-        self.replaced.pop();
-        for (letter, old) in before {
-            self.letters[letter] = old;
-        }
-        result
-    }
-
-    /// Whether a node's value depends on a symbol that stands for something else now.
-    pub(super) fn replaced_behind(&mut self, node: Node) -> bool {
-        let Some(replaced) = self.replaced.last() else {
-            return false;
-        };
-        let replaced = replaced.symbols.clone();
-        !self.symbols_behind(node).is_disjoint(&replaced)
-    }
-
-    /// The symbols that a node's value depends on.
-    pub(super) fn symbols_behind(&mut self, node: Node) -> &BTreeSet<usize> {
-        let (model, corrected) = (self.model, &self.corrected);
-        let found = self.behind.entry(node);
-        found.or_insert_with(|| model.symbols_behind(node, corrected))
-    }
-
     /// An integral, over a letter of its own.
     pub(super) fn integral(
         &mut self,
@@ -301,17 +266,18 @@ impl<D: Domain> Evaluator<'_, D> {
             End::Above => true,
             End::Below => false,
         });
-        let letter = Self::possible(functions.bound(self.integrals, positive), span)?;
-        let outer = self.between.len();
+        let letter = Self::possible(functions.bound(self.frame.integrals, positive), span)?;
+        let outer = self.frame.between.len();
         let between = self.between(&letter, &from, &to);
-        self.between.extend(between);
-        self.open_integrals
+        self.frame.between.extend(between);
+        self.frame
+            .open_integrals
             .push((letter.clone(), from.clone(), to.clone()));
-        self.integrals += 1;
+        self.frame.integrals += 1;
         let integrand = self.with_symbols(vec![(symbol, letter.clone())], |e| e.expression(body));
-        self.integrals -= 1;
-        self.between.truncate(outer);
-        self.open_integrals.pop();
+        self.frame.integrals -= 1;
+        self.frame.between.truncate(outer);
+        self.frame.open_integrals.pop();
         let integrand = integrand?;
         let functions = self.functions("an integral", span)?;
         let over = |entry: &D::Element| {
@@ -417,7 +383,6 @@ impl<D: Domain> Evaluator<'_, D> {
         body: &Expr,
         span: Span,
     ) -> Result<Value<D::Element>> {
-        let value = self.expression(body)?;
         let Ok(Resolved::Letter { symbol, order: 0 }) = self.model.resolve(variable, &|_| false)
         else {
             return Err(Failure::unsupported(
@@ -425,11 +390,15 @@ impl<D: Domain> Evaluator<'_, D> {
                 span,
             ));
         };
+        if self.model.symbols[symbol].range.numbers == Numbers::Integer {
+            return Err(Failure::unsupported("a derivative by an integer", span));
+        }
         let letter = self.model.letter_of_symbol(symbol, 0);
         let letter = letter.ok_or_else(|| Failure::unsupported("this derivative", span))?;
         // Under an integral the letter is the variable of integration. A hypothesis that gives it a
         // value leaves nothing to differentiate by.
-        let own = self.field.partial_derivatives(&self.letters[letter]);
+        let at = self.letter(letter).clone();
+        let own = self.field.partial_derivatives(&at);
         let one = self.field.integer(1);
         let letter = match own.as_deref() {
             None => letter,
@@ -447,7 +416,10 @@ impl<D: Domain> Evaluator<'_, D> {
                 ));
             }
         };
-        let mut value = value;
+        if self.is_in_an_argument(symbol, letter) {
+            return self.derivative_over(symbol, order, at, span, |e| e.expression(body));
+        }
+        let mut value = self.smooth(span, |e| e.expression(body))?;
         for _ in 0..order {
             value = value.try_map(|entry| self.partial(entry, letter, span))?;
         }
@@ -469,10 +441,10 @@ impl<D: Domain> Evaluator<'_, D> {
             let rate = if letter == by {
                 self.field.integer(1)
             } else if let Letter::Abbreviation { definition } = self.model.letters[letter] {
-                let outer = std::mem::take(&mut self.bound);
+                let outer = std::mem::take(&mut self.frame.bound);
                 let key = (Node::Definition(definition), Vec::new(), 0);
                 let behind = self.compute(&key, span);
-                self.bound = outer;
+                self.frame.bound = outer;
                 match behind? {
                     Value::Scalar(behind) => self.partial(&behind, by, span)?,
                     Value::Zero => self.field.integer(0),

@@ -6,34 +6,36 @@
 //! definitions is the checker's business.
 
 mod cases;
-mod change;
 mod expectation;
 mod failure;
+mod frame;
 mod function;
 mod index;
+mod memo;
 mod nodes;
 mod operations;
 mod rate;
 mod solve;
 pub mod value;
+mod world;
 
+use cases::Choice;
+use frame::Frame;
+use memo::Memo;
 use operations::p_span;
 
-pub(crate) use change::Displaced;
 pub use failure::{Failure, FailureKind};
 pub use solve::Stationary;
 pub use value::Value;
+pub use world::World;
 
 use crate::domain::Domain;
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
-use crate::functions::Supposed;
-use crate::functions::integral::End;
 use crate::model::names::Resolved;
-use crate::model::{Model, Node};
+use crate::model::{Letter, Model, Node};
 use crate::span::Span;
-use num_rational::BigRational;
-use ratpoly::allowance;
-use std::collections::{BTreeMap, BTreeSet};
+use ratpoly::{RationalFunction, allowance};
+use std::collections::BTreeSet;
 
 /// The largest exponent that is evaluated.
 pub const LARGEST_EXPONENT: u32 = 1000;
@@ -43,10 +45,6 @@ const LARGEST_RANGE: i64 = 10_000;
 const LONGEST_CHAIN: usize = 5_000;
 /// The largest product of two operands' sizes (terms) that is multiplied out.
 const LARGEST_PRODUCT: usize = 500_000;
-/// The largest number of terms of sums inside of sums together.
-const MOST_TERMS: u64 = 200_000;
-/// The most bytes of values that are kept: then they are forgotten, and computed again where they are needed.
-const MOST_KEPT: usize = 64 << 20;
 
 /// A divisor that must not vanish.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +65,21 @@ pub enum Origin {
     Determinant(usize),
     /// It must even be positive for the covariance that this equation determines to exist.
     Stability(usize),
+    /// It must not be negative for the argument of a function to lie in the range of its definition, and
+    /// positive where the end does not belong to the range.
+    Range(Span),
+}
+
+/// The letters of a model's ring, each standing for itself.
+pub(crate) fn letters_themselves(model: &Model) -> Vec<RationalFunction> {
+    (0..model.letters.len())
+        .map(|i| RationalFunction::variable(model.ring, i))
+        .collect()
+}
+
+/// The document as printed over the rational functions in the letters of the model's ring.
+pub(crate) fn symbolic(model: &Model) -> World<'_, RationalFunction> {
+    World::new(model, letters_themselves(model))
 }
 
 /// What names a value: a node, its indices and how often it is differentiated.
@@ -75,105 +88,35 @@ pub type Key = (Node, Vec<i64>, u8);
 /// The values of the two sides of a link.
 pub type Sides<E> = (Value<E>, Value<E>);
 
-/// A value with the conditions under which it exists.
-#[derive(Clone, Debug)]
-struct Known<E> {
-    value: Value<E>,
-    conditions: Vec<Condition<E>>,
-}
-
 /// Where a value may come from other than the document's own equations.
 pub type Provider<'p, E> = dyn FnMut(&Key) -> Option<Result<Value<E>, Failure>> + 'p;
 
-/// Evaluates the expressions of a model over a field.
+/// Evaluates the expressions of a model over a field, in one world.
 pub struct Evaluator<'m, D: Domain> {
     /// The field.
     pub field: D,
     /// Conditions met since the caller last looked.
     pub conditions: Vec<Condition<D::Element>>,
-    /// Reads a family's members outside its range as zero instead of refusing them.
-    pub lenient: bool,
-    /// Keeps abbreviations as letters.
-    pub keep_abbreviations: bool,
-    /// Which of the model's instances sizes are taken from.
-    instance: usize,
-    /// The number at which processes are taken, if at one.
-    at: Option<BigRational>,
     model: &'m Model,
-    letters: Vec<D::Element>,
-    corrected: BTreeMap<usize, Display>,
-    known: BTreeMap<Key, Known<D::Element>>,
-    open: BTreeSet<Key>,
-    trial: BTreeMap<(usize, usize), Value<D::Element>>,
-    bound: Vec<(String, i64)>,
-    /// How many terms the sums have together that are being added up.
-    running: u64,
-    /// About how many bytes the known values have.
-    kept: usize,
-    /// How many rows the next matrix should have where zeros of any shape leave that open.
-    wanted_rows: Option<usize>,
-    /// What the systems that are equations of a stationary state are about.
-    stationary: BTreeMap<usize, Stationary<D::Element>>,
-    /// Nodes that were found to have no value, and why.
-    without_value: BTreeMap<Node, FailureKind>,
+    world: World<'m, D::Element>,
+    memo: Memo<D::Element>,
+    frame: Frame<D::Element>,
+    choice: Choice<D::Element>,
     provider: Option<Box<Provider<'m, D::Element>>>,
-    /// Letters that stand for something else while a function's body is evaluated: the symbols,
-    /// and what was computed with them so.
-    replaced: Vec<function::Replaced<D::Element>>,
-    /// The symbols that each node's value depends on.
-    behind: BTreeMap<Node, BTreeSet<usize>>,
-    /// How many integrals are open.
-    integrals: usize,
-    /// Which case of a definition by cases is taken, from 0.
-    pub case: usize,
-    /// How many cases the definitions met so far have; 0 where none was met.
-    pub cases_met: usize,
-    /// The product of the choices so far.
-    radix: usize,
-    /// What the cases chosen so far suppose; of no meaning where no case was met.
-    supposed: Vec<Supposed<D::Element>>,
-    /// Between what the variables of the open integrals lie.
-    between: Vec<Supposed<D::Element>>,
-    /// These variables with the ends of their integrals.
-    open_integrals: Vec<(D::Element, End<D::Element>, End<D::Element>)>,
 }
 
 impl<'m, D: Domain> Evaluator<'m, D> {
-    /// An evaluator with a value for each letter of the model's ring.
-    ///
-    /// # Panics
-    /// When there is not one value for each letter: a programming error.
-    pub fn new(model: &'m Model, field: D, letters: Vec<D::Element>) -> Self {
-        assert_eq!(letters.len(), model.letters.len(), "one value per letter");
+    /// An evaluator that has computed nothing yet.
+    pub fn new(field: D, world: World<'m, D::Element>) -> Self {
         Evaluator {
             field,
             conditions: Vec::new(),
-            lenient: false,
-            keep_abbreviations: true,
-            instance: 0,
-            at: None,
-            model,
-            letters,
-            corrected: BTreeMap::new(),
-            known: BTreeMap::new(),
-            open: BTreeSet::new(),
-            trial: BTreeMap::new(),
-            bound: Vec::new(),
-            running: 1,
-            kept: 0,
-            wanted_rows: None,
-            stationary: BTreeMap::new(),
-            without_value: BTreeMap::new(),
+            model: world.model(),
+            world,
+            memo: Memo::default(),
+            frame: Frame::default(),
+            choice: Choice::default(),
             provider: None,
-            replaced: Vec::new(),
-            behind: BTreeMap::new(),
-            integrals: 0,
-            case: 0,
-            cases_met: 0,
-            radix: 1,
-            supposed: Vec::new(),
-            between: Vec::new(),
-            open_integrals: Vec::new(),
         }
     }
 
@@ -183,105 +126,19 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         self
     }
 
-    /// Takes the sizes of matrices from one of the model's instances.
+    /// The same with members outside of a family's range read as zero.
     #[must_use]
-    pub fn in_instance(mut self, instance: usize) -> Self {
-        self.instance = instance;
-        self.known.clear();
-        self
-    }
-
-    /// Which of the model's instances sizes are taken from.
-    pub fn instance(&self) -> usize {
-        self.instance
-    }
-
-    /// The value of each letter of the model's ring.
-    pub fn letters(&self) -> &[D::Element] {
-        &self.letters
-    }
-
-    /// Uses a corrected display in place of an equation's printed one.
-    pub fn correct(&mut self, equation: usize, display: Display) {
-        self.corrected.insert(equation, display);
-        self.known.clear();
-        self.behind.clear();
-    }
-
-    /// The display that an equation is evaluated from.
-    pub fn display(&self, equation: usize) -> &Display {
-        self.corrected
-            .get(&equation)
-            .unwrap_or(&self.model.equations[equation].display)
-    }
-
-    /// The display that stands in place of an equation's printed one, if one does.
-    pub fn corrected_display(&self, equation: usize) -> Option<&Display> {
-        self.corrected.get(&equation)
-    }
-
-    /// Another evaluator over the same field with the same letters, sizes and corrections, for which
-    /// nothing has been computed yet.
-    #[must_use]
-    pub fn anew(&self) -> Self
-    where
-        D: Clone,
-    {
-        let mut anew = Evaluator::new(self.model, self.field.clone(), self.letters.clone());
-        anew.instance = self.instance;
-        anew.corrected = self.corrected.clone();
-        anew.without_value = self.without_value.clone();
-        anew
-    }
-
-    /// Another evaluator in the state that this one has between two expressions, for what may end in the
-    /// middle of one; what was computed is computed again.
-    #[must_use]
-    pub(crate) fn spare(&self) -> Self
-    where
-        D: Clone,
-    {
-        let mut spare = self.anew();
-        spare.lenient = self.lenient;
-        spare.keep_abbreviations = self.keep_abbreviations;
-        spare.stationary = self.stationary.clone();
-        spare
-    }
-
-    /// The same with other values of the letters.
-    #[must_use]
-    pub fn with_letters(&self, letters: Vec<D::Element>) -> Self
-    where
-        D: Clone,
-    {
-        let mut other = self.anew();
-        other.letters = letters;
-        other
-    }
-
-    /// What a solved system is about, if it is the equation of a stationary state.
-    pub fn stationary(&self, system: usize) -> Option<&Stationary<D::Element>> {
-        self.stationary.get(&system)
-    }
-
-    /// Takes it that a node has no value, for this reason.
-    pub(crate) fn has_no_value(&mut self, node: Node, kind: FailureKind) {
-        if self.without_value.insert(node, kind).is_none() {
-            self.known.clear();
+    pub fn leniently(self) -> Self {
+        Evaluator {
+            world: self.world.leniently(),
+            memo: Memo::default(),
+            ..self
         }
     }
 
-    /// The nodes that have no value.
-    pub(crate) fn without_value(&self) -> &BTreeMap<Node, FailureKind> {
-        &self.without_value
-    }
-
-    /// Takes back what was found out about nodes without a value, for this.
-    pub(crate) fn set_without_value(&mut self, nodes: BTreeMap<Node, FailureKind>) {
-        if self.without_value != nodes {
-            self.without_value = nodes;
-            self.known.clear();
-        }
+    /// What values are computed from.
+    pub fn world(&self) -> &World<'m, D::Element> {
+        &self.world
     }
 
     /// The model.
@@ -289,9 +146,72 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         self.model
     }
 
-    /// The corrected displays, by equation.
-    pub fn corrections(&self) -> impl Iterator<Item = (&usize, &Display)> {
-        self.corrected.iter()
+    /// The display that an equation is evaluated from.
+    pub fn display(&self, equation: usize) -> &Display {
+        self.world.display(equation)
+    }
+
+    /// Another evaluator over the same field in the same world, for which nothing has been computed yet.
+    #[must_use]
+    pub fn anew(&self) -> Self
+    where
+        D: Clone,
+    {
+        self.in_world(self.world.clone())
+    }
+
+    /// One in another world.
+    #[must_use]
+    pub fn in_world(&self, world: World<'m, D::Element>) -> Self
+    where
+        D: Clone,
+    {
+        Evaluator::new(self.field.clone(), world)
+    }
+
+    /// One in the world with a display in place of an equation's.
+    #[must_use]
+    pub fn corrected(&self, equation: usize, display: Display) -> Self
+    where
+        D: Clone,
+    {
+        self.in_world(self.world.clone().corrected(equation, display))
+    }
+
+    /// The same, where what has been computed is known still but for these nodes, which are all whose
+    /// values depend on the equation.
+    #[must_use]
+    pub fn changed(&self, equation: usize, display: Display, stale: &BTreeSet<Node>) -> Self
+    where
+        D: Clone,
+    {
+        Evaluator {
+            memo: self.memo.without(stale),
+            ..self.corrected(equation, display)
+        }
+    }
+
+    /// The values of the abbreviations in the declared symbols, by letter, of those that have one.
+    pub(crate) fn abbreviations(&self) -> Vec<(usize, D::Element)>
+    where
+        D: Clone,
+    {
+        let mut expanding = self.in_world(self.world.clone().inserting());
+        let mut found = Vec::new();
+        for (letter, kind) in self.model.letters.iter().enumerate() {
+            if let Letter::Abbreviation { definition } = kind {
+                let key = (Node::Definition(*definition), Vec::new(), 0);
+                if let Ok(Value::Scalar(value)) = expanding.value_of(key, Span::default()) {
+                    found.push((letter, value));
+                }
+            }
+        }
+        found
+    }
+
+    /// What a solved system is about, if it is the equation of a stationary state.
+    pub fn stationary(&self, system: usize) -> Option<&Stationary<D::Element>> {
+        self.memo.stationary(system)
     }
 
     /// The value of a node.
@@ -300,39 +220,6 @@ impl<'m, D: Domain> Evaluator<'m, D> {
     /// A [`Failure`] with its place, `span` where it has none of its own.
     pub fn value_of(&mut self, key: Key, span: Span) -> Result<Value<D::Element>, Failure> {
         self.node(key, span)
-    }
-
-    /// Runs `body` with these indices bound.
-    pub fn with_indices<T>(
-        &mut self,
-        indices: &[(String, i64)],
-        body: impl FnOnce(&mut Self) -> T,
-    ) -> T {
-        let before = self.bound.len();
-        self.bound.extend(indices.iter().cloned());
-        let result = body(self);
-        self.bound.truncate(before);
-        result
-    }
-
-    /// Runs `body` with an index bound to a value.
-    pub fn with_bound<T>(
-        &mut self,
-        index: &str,
-        value: i64,
-        body: impl FnOnce(&mut Self) -> T,
-    ) -> T {
-        self.bound.push((index.to_string(), value));
-        let result = body(self);
-        self.bound.pop();
-        result
-    }
-
-    fn bound_value(&self, name: &str) -> Option<i64> {
-        let sizes = &self.model.instances[self.instance];
-        let size = || sizes.get(name).and_then(|n| i64::try_from(*n).ok());
-        let bound = self.bound.iter().rev().find(|(n, _)| n == name);
-        bound.map(|(_, v)| *v).or_else(size)
     }
 
     /// The value of an expression.
@@ -387,30 +274,21 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 body,
             } => {
                 let (from, to) = (self.bound_of_sum(from)?, self.bound_of_sum(to)?);
-                let own = u64::try_from(to.saturating_sub(from).saturating_add(1)).unwrap_or(0);
-                let together = self.running.saturating_mul(own.max(1));
-                if to.saturating_sub(from) > LARGEST_RANGE || together > MOST_TERMS {
-                    return Err(Failure::new(
-                        FailureKind::Budget {
-                            what: "terms of a sum".into(),
-                        },
-                        span,
-                    ));
+                let terms = to.saturating_sub(from).saturating_add(1);
+                if terms > LARGEST_RANGE {
+                    let what = "terms of a sum".into();
+                    return Err(Failure::new(FailureKind::Budget { what }, span));
                 }
                 let index = crate::latex::canonical(index);
-                let mut sum = Value::Zero;
-                let outer = std::mem::replace(&mut self.running, together);
-                for k in from..=to {
-                    let term = self.with_bound(&index, k, |e| e.expression(body));
-                    match term.and_then(|term| value::add(&self.field, &sum, &term, body.span)) {
-                        Ok(longer) => sum = longer,
-                        Err(failure) => {
-                            self.running = outer;
-                            return Err(failure);
-                        }
+                let terms = u64::try_from(terms).unwrap_or(0);
+                let sum = self.with_terms(terms, span, |e| {
+                    let mut sum = Value::Zero;
+                    for k in from..=to {
+                        let term = e.with_bound(&index, k, |e| e.expression(body))?;
+                        sum = value::add(&e.field, &sum, &term, body.span)?;
                     }
-                }
-                self.running = outer;
+                    Ok(sum)
+                })?;
                 Ok(match sum {
                     Value::Zero if from > to => Value::Scalar(self.field.integer(0)),
                     sum => sum,
@@ -426,7 +304,8 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 }
                 _ => {
                     self.one_time(variable.as_ref(), body, span)?;
-                    self.rate_of(body, *order, span)
+                    self.nothing_held_fixed(body, span)?;
+                    self.smooth(span, |e| e.rate_of(body, *order, span))
                 }
             },
             ExprKind::Named { .. } => Err(Failure::unsupported("an argument by name", span)),
@@ -497,11 +376,6 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         }
     }
 
-    /// Whether the name is an index or the letter of a size.
-    fn is_bound(&self, name: &Name) -> bool {
-        self.bound_value(&crate::latex::canonical(name)).is_some()
-    }
-
     /// The time derivative of what is said to be constant.
     fn rate_of_constant(&mut self, expr: &Expr) -> Result<Value<D::Element>, Failure> {
         if self.model.times.is_empty() {
@@ -520,11 +394,16 @@ impl<'m, D: Domain> Evaluator<'m, D> {
 
     fn name(&mut self, name: &Name, span: Span) -> Result<Value<D::Element>, Failure> {
         let model = self.model;
-        if let Some(definition) = self.at.as_ref().and_then(|at| model.value_at(name, at)) {
+        if let Some(definition) = self
+            .frame
+            .at
+            .as_ref()
+            .and_then(|at| model.value_at(name, at))
+        {
             return self.given_value(definition, span);
         }
-        let bound: Vec<String> = self.bound.iter().map(|(n, _)| n.clone()).collect();
-        let sizes = &model.instances[self.instance];
+        let bound: Vec<String> = self.frame.bound.iter().map(|(n, _)| n.clone()).collect();
+        let sizes = &model.instances[self.world.instance()];
         let resolved = model
             .resolve(name, &|n| {
                 bound.iter().any(|b| b == n) || sizes.contains_key(n)

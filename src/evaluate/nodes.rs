@@ -1,6 +1,7 @@
 //! The values of names: symbols, definitions, families, notation, and their time derivatives.
 
-use super::{Evaluator, Failure, FailureKind, Key, Known, MOST_KEPT, Value};
+use super::memo::Known;
+use super::{Evaluator, Failure, FailureKind, Key, Value};
 use crate::domain::Domain;
 use crate::expr::{Expr, Name};
 use crate::matrix::Matrix;
@@ -11,6 +12,7 @@ use crate::model::{DefinitionKind, Node, NotationKind};
 use crate::span::Span;
 use crate::theory::{arithmetic, characteristic, determinant, hurwitz};
 use num_rational::BigRational;
+use std::sync::Arc;
 
 impl<D: Domain> Evaluator<'_, D> {
     /// The value of a symbol's time derivative of an order.
@@ -20,20 +22,20 @@ impl<D: Domain> Evaluator<'_, D> {
         order: u8,
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
-        if self.at.is_some() && self.model.symbols[symbol].function_of.is_some() {
+        if self.frame.at.is_some() && self.model.symbols[symbol].function_of.is_some() {
             return Err(Failure::unsupported(
                 "the value of a process where nothing says it",
                 span,
             ));
         }
         let elsewhere = |argument| {
-            let mut replaced = self.replaced.iter();
+            let mut replaced = self.frame.replaced.iter();
             replaced.any(|r| r.symbols.contains(&argument))
         };
         // By a hypothesis such as v' = 0 it has the same value everywhere.
         let constant = || {
             let rate = self.model.letter_of_symbol(symbol, order + 1);
-            rate.is_some_and(|rate| self.field.is_zero(&self.letters[rate]))
+            rate.is_some_and(|rate| self.field.is_zero(self.letter(rate)))
         };
         if self.model.argument_symbols(symbol).any(elsewhere) && !constant() {
             return Err(Failure::unsupported("a process at another argument", span));
@@ -43,7 +45,7 @@ impl<D: Domain> Evaluator<'_, D> {
             if order > 0 {
                 return self.rate_of_symbol(symbol, order, span);
             }
-            if let (Some(at), Clock::Runs(_)) = (&self.at, self.model.clock(symbol)) {
+            if let (Some(at), Clock::Runs(_)) = (&self.frame.at, self.model.clock(symbol)) {
                 let at = self.field.rational(at);
                 return at
                     .map(Value::Scalar)
@@ -52,7 +54,7 @@ impl<D: Domain> Evaluator<'_, D> {
         }
         self.model
             .letter_of_symbol(symbol, order)
-            .map(|letter| Value::Scalar(self.letters[letter].clone()))
+            .map(|letter| Value::Scalar(self.letter(letter).clone()))
             .ok_or_else(|| Failure::unsupported("a time derivative of so high an order", span))
     }
 
@@ -65,7 +67,7 @@ impl<D: Domain> Evaluator<'_, D> {
     ) -> Result<Value<D::Element>, Failure> {
         let model = self.model;
         let matrix = &model.matrices[matrix];
-        let (rows, columns) = matrix.shape_in(&model.instances[self.instance]);
+        let (rows, columns) = matrix.shape_in(&model.instances[self.world.instance()]);
         let letters = Matrix::try_from_fn(rows, columns, |i, j| {
             let (symbol, negative) = match matrix.entry(i, j) {
                 MatrixEntry::Zero => return Ok(self.field.integer(0)),
@@ -90,11 +92,11 @@ impl<D: Domain> Evaluator<'_, D> {
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
         // What is known is known of processes as such, not of their values.
-        let known = std::mem::take(&mut self.known);
-        let outer = self.at.replace(at.clone());
+        let known = std::mem::take(&mut self.memo);
+        let outer = self.frame.at.replace(at.clone());
         let result = self.name(function, span);
-        self.at = outer;
-        self.known = known;
+        self.frame.at = outer;
+        self.memo = known;
         result
     }
 
@@ -104,9 +106,9 @@ impl<D: Domain> Evaluator<'_, D> {
         definition: usize,
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
-        let at = self.at.take();
+        let at = self.frame.at.take();
         let result = self.node((Node::Definition(definition), Vec::new(), 0), span);
-        self.at = at;
+        self.frame.at = at;
         result
     }
 
@@ -114,29 +116,30 @@ impl<D: Domain> Evaluator<'_, D> {
     pub(super) fn node(&mut self, key: Key, span: Span) -> Result<Value<D::Element>, Failure> {
         if let Node::Unknown { system, position } = key.0
             && key.2 == 0
-            && let Some(value) = self.trial.get(&(system, position))
+            && let Some(value) = self.frame.trial.get(&(system, position))
         {
             return Ok(value.clone());
         }
-        if let Some(kind) = self.without_value.get(&key.0) {
+        if let Some(kind) = self.world.no_value(key.0) {
             return Err(Failure::new(kind.clone(), span));
         }
         let in_place = self.replaced_behind(key.0);
         if let Node::Definition(d) = key.0
             && key.2 == 0
-            && self.keep_abbreviations
+            && !self.world.is_inserting()
             && !in_place
             && let Some(letter) = self.model.definitions[d].letter
             // At a number what depends on the time has another value than as such.
-            && (self.at.is_none() || self.clocks(key.0).is_empty())
+            && (self.frame.at.is_none() || self.clocks(key.0).is_empty())
         {
-            return Ok(Value::Scalar(self.letters[letter].clone()));
+            return Ok(Value::Scalar(self.letter(letter).clone()));
         }
-        let known = match self.replaced.last() {
+        let known = match self.frame.replaced.last() {
             Some(replaced) if in_place => replaced.known.get(&key),
-            _ => self.known.get(&key),
+            _ => self.memo.known(&key),
         };
         if let Some(known) = known {
+            let known = Arc::clone(known);
             for condition in &known.conditions {
                 if !self.conditions.contains(condition) {
                     self.conditions.push(condition.clone());
@@ -145,7 +148,7 @@ impl<D: Domain> Evaluator<'_, D> {
             return Ok(known.value.clone());
         }
         if !in_place
-            && self.at.is_none()
+            && self.frame.at.is_none()
             && let Some(mut provider) = self.provider.take()
         {
             let provided = provider(&key);
@@ -156,7 +159,7 @@ impl<D: Domain> Evaluator<'_, D> {
                 return Ok(value);
             }
         }
-        if self.open.len() >= super::LONGEST_CHAIN {
+        if self.frame.open.len() >= super::LONGEST_CHAIN {
             return Err(Failure::new(
                 FailureKind::Budget {
                     what: "definitions that need each other in a chain".into(),
@@ -164,14 +167,14 @@ impl<D: Domain> Evaluator<'_, D> {
                 span,
             ));
         }
-        if !self.open.insert(key.clone()) {
+        if !self.frame.open.insert(key.clone()) {
             return Err(Failure::new(FailureKind::NeedsItself, span));
         }
         let before = self.conditions.len();
-        let outer = std::mem::take(&mut self.bound);
+        let outer = std::mem::take(&mut self.frame.bound);
         let result = self.compute(&key, span);
-        self.bound = outer;
-        self.open.remove(&key);
+        self.frame.bound = outer;
+        self.frame.open.remove(&key);
         let value = result?;
         self.remember(key, value.clone(), before, in_place);
         Ok(value)
@@ -186,25 +189,23 @@ impl<D: Domain> Evaluator<'_, D> {
     ) {
         // While unknowns hold trial values nothing computed from them may outlive the trial, and a
         // value by cases is that of one case.
-        if self.trial.is_empty() && self.cases_met == 0 {
+        if self.frame.trial.is_empty() && self.choice.met == 0 {
             let terms = value.entries().into_iter().map(|e| self.field.size(e));
             let bytes = terms
                 .sum::<usize>()
                 .saturating_mul(self.field.bytes_of_a_term());
-            if self.kept.saturating_add(bytes) > MOST_KEPT {
-                self.known.clear();
-                self.kept = 0;
-            }
-            self.kept = self.kept.saturating_add(bytes);
             let conditions = self.conditions.get(conditions_from..).unwrap_or_default();
             let known = Known {
                 value,
                 conditions: conditions.to_vec(),
+                bytes,
             };
-            match self.replaced.last_mut() {
-                Some(replaced) if in_place => replaced.known.insert(key, known),
-                _ => self.known.insert(key, known),
-            };
+            match self.frame.replaced.last_mut() {
+                Some(replaced) if in_place => {
+                    replaced.known.insert(key, Arc::new(known));
+                }
+                _ => self.memo.keep(key, known),
+            }
         }
     }
 
@@ -223,7 +224,7 @@ impl<D: Domain> Evaluator<'_, D> {
                 let model = self.model;
                 let definition = &model.definitions[*d];
                 if let DefinitionKind::Family { indices: names, .. } = &definition.kind {
-                    self.bound = names.iter().cloned().zip(indices.iter().copied()).collect();
+                    self.frame.bound = names.iter().cloned().zip(indices.iter().copied()).collect();
                 }
                 let expr = definition
                     .place
@@ -267,7 +268,7 @@ impl<D: Domain> Evaluator<'_, D> {
             }
         }
         match existing.len() {
-            0 if self.lenient => Ok(Value::Zero),
+            0 if self.world.is_lenient() => Ok(Value::Zero),
             0 => self.outside(key, indices, span),
             1 => Ok(existing.remove(0)),
             _ => Err(Failure::new(
@@ -347,7 +348,7 @@ impl<D: Domain> Evaluator<'_, D> {
         };
         let result = match &notation.kind {
             NotationKind::Identity(n) => {
-                let order = n.at(&model.instances[self.instance]);
+                let order = n.at(&model.instances[self.world.instance()]);
                 Some(Value::from_matrix(arithmetic::identity(&self.field, order)))
             }
             NotationKind::Rows(_) => {
@@ -414,7 +415,7 @@ impl<D: Domain> Evaluator<'_, D> {
         rows: &[Vec<Expr>],
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
-        let wanted = self.wanted_rows.take();
+        let wanted = self.frame.wanted_rows.take();
         let mut blocks = Vec::with_capacity(rows.len());
         for row in rows {
             let mut values = Vec::with_capacity(row.len());

@@ -32,9 +32,9 @@ impl<D: Domain> Evaluator<'_, D> {
                 let mut fitted = values.clone();
                 for (value, (_, term)) in fitted.iter_mut().zip(terms) {
                     if rows(value).is_some_and(|r| r != height) {
-                        self.wanted_rows = Some(height);
+                        self.frame.wanted_rows = Some(height);
                         let other = self.expression(term);
-                        self.wanted_rows = None;
+                        self.frame.wanted_rows = None;
                         *value = other?;
                     }
                 }

@@ -29,6 +29,10 @@ impl<D: Domain> Evaluator<'_, D> {
         order: u8,
         span: Span,
     ) -> Result<Value<D::Element>> {
+        if order > 0 && self.has_moving_arguments() {
+            let what = "a time derivative in a function of what changes with the time";
+            return Err(Failure::unsupported(what, span));
+        }
         let mut value = value;
         for _ in 0..order {
             let mut rates: BTreeMap<usize, D::Element> = BTreeMap::new();
@@ -125,10 +129,10 @@ impl<D: Domain> Evaluator<'_, D> {
         span: Span,
     ) -> Result<Value<D::Element>> {
         if self.field.has_letters() {
-            let at = self.at.take();
+            let at = self.frame.at.take();
             let value = self.symbol(symbol, 0, span);
             let rate = value.and_then(|value| self.differentiate(value, order, span));
-            self.at = at;
+            self.frame.at = at;
             return rate;
         }
         let one = match self.model.clock(symbol) {
@@ -147,23 +151,51 @@ impl<D: Domain> Evaluator<'_, D> {
             return Err(two_times(span));
         }
         let before = (*node, indices.clone(), derivatives - 1);
-        if self.at.is_some() && !clocks.is_empty() {
+        if self.frame.at.is_some() && !clocks.is_empty() {
             let what = "the rate at a number of what no equation of motion gives one";
             return Err(Failure::unsupported(what, span));
         }
         // An abbreviation is a letter: what it stands for is differentiated.
-        let value = match node {
+        let value = self.smooth(span, |e| match node {
             Node::Definition(d)
-                if *derivatives == 1 && self.model.definitions[*d].letter.is_some() =>
+                if *derivatives == 1 && e.model.definitions[*d].letter.is_some() =>
             {
-                self.compute(&before, span)?
+                e.compute(&before, span)
             }
-            _ => self.node(before, span)?,
-        };
+            _ => e.node(before, span),
+        })?;
         if clocks.is_empty() && !self.field.has_letters() {
             return Ok(value.map(|_| self.field.integer(0)));
         }
         self.differentiate(value, 1, span)
+    }
+
+    /// Refuses the curly derivative by the time of what changes with it through processes: what it
+    /// holds fixed, the print does not say.
+    pub(super) fn nothing_held_fixed(&mut self, body: &Expr, span: Span) -> Result<()> {
+        if !self.model.is_partial(span) {
+            return Ok(());
+        }
+        let model = self.model;
+        let is_process = |s: &usize| model.symbols[*s].function_of.is_some();
+        let mut used = BTreeSet::new();
+        model.collect(body, &mut used);
+        let mut found = false;
+        for node in used {
+            found |= self.symbols_behind(node).iter().any(is_process);
+        }
+        crate::model::links::visit(body, &mut |e| {
+            if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
+                && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
+            {
+                found |= is_process(&symbol);
+            }
+        });
+        if found {
+            let what = "a partial derivative by the time";
+            return Err(Failure::unsupported(what, span));
+        }
+        Ok(())
     }
 
     /// The derivative of a defined function by its argument, at an argument; at the letter that it is
@@ -201,29 +233,54 @@ impl<D: Domain> Evaluator<'_, D> {
             Value::Zero => self.field.integer(0),
             Value::Matrix(_) => return Err(Failure::unsupported("a matrix as an argument", span)),
         };
+        self.derivative_over(symbol, primes, at, span, |e| {
+            e.node((function, Vec::new(), 0), span)
+        })
+    }
+
+    /// The value of what is differentiated: where two cases meet it may have no derivative.
+    pub(super) fn smooth(
+        &mut self,
+        span: Span,
+        body: impl FnOnce(&mut Self) -> Result<Value<D::Element>>,
+    ) -> Result<Value<D::Element>> {
+        let cases = std::mem::take(&mut self.choice.met);
+        let value = body(self);
+        // One case alone is a range, and inside of it nothing meets.
+        let by_cases = std::mem::replace(&mut self.choice.met, cases) > 1;
+        if by_cases && value.is_ok() {
+            let what = "the derivative of what is defined by cases";
+            return Err(Failure::unsupported(what, span));
+        }
+        value
+    }
+
+    /// A derivative by a symbol, taken over a letter of its own and then put at `at`.
+    pub(super) fn derivative_over(
+        &mut self,
+        symbol: usize,
+        order: u8,
+        at: D::Element,
+        span: Span,
+        body: impl FnOnce(&mut Self) -> Result<Value<D::Element>>,
+    ) -> Result<Value<D::Element>> {
+        let what = "the derivative of a function";
         // The sign of the declared letter is that of the argument only where that has it.
         let functions = self.functions(what, span)?;
-        let positive = model.symbols[symbol].range.is_positive()
+        let positive = self.model.symbols[symbol].range.is_positive()
             && functions.sign(&at) == Some(Ordering::Greater);
-        let bound = self.functions(what, span)?.bound(self.integrals, positive);
+        let bound = self
+            .functions(what, span)?
+            .bound(self.frame.integrals, positive);
         let bound = Self::possible(bound, span)?;
         let by = match &self.field.letters(&bound)[..] {
             [letter] => *letter,
             _ => return Err(Failure::unsupported(what, span)),
         };
-        self.integrals += 1;
-        let cases = std::mem::take(&mut self.cases_met);
-        let value = self.with_symbols(vec![(symbol, bound)], |e| {
-            e.node((function, Vec::new(), 0), span)
-        });
-        let by_cases = std::mem::replace(&mut self.cases_met, cases) > 0;
+        self.frame.integrals += 1;
+        let value = self.smooth(span, |e| e.with_symbols(vec![(symbol, bound)], body));
         let derivative = match value {
-            // Where two cases meet it may have no derivative.
-            Ok(_) if by_cases => Err(Failure::unsupported(
-                "the derivative of what is defined by cases",
-                span,
-            )),
-            Ok(mut value) => (0..primes)
+            Ok(mut value) => (0..order)
                 .try_for_each(|_| {
                     value = value.try_map(|entry| self.partial(entry, by, span))?;
                     Ok(())
@@ -231,7 +288,7 @@ impl<D: Domain> Evaluator<'_, D> {
                 .map(|()| value),
             Err(failure) => Err(failure),
         };
-        self.integrals -= 1;
+        self.frame.integrals -= 1;
         let functions = self.functions(what, span)?;
         derivative?.try_map(|entry| Self::possible(functions.put(entry, by, &at), span))
     }

@@ -75,12 +75,12 @@ impl<D: Domain> Evaluator<'_, D> {
                     self.field.add(&sum, &q[(i, i)])
                 });
                 let about = Stationary::Continuous { matrix: a, noise };
-                self.stationary.insert(system, about);
+                self.memo.is_stationary(system, about);
                 solved
             }
             Form::Discrete(square) => {
-                self.stationary
-                    .insert(system, Stationary::Discrete { square });
+                self.memo
+                    .is_stationary(system, Stationary::Discrete { square });
                 None
             }
             Form::Other => None,
@@ -90,15 +90,15 @@ impl<D: Domain> Evaluator<'_, D> {
             None => {
                 let units = self.units(system, &shapes, span)?;
                 let result = self.solve_units(system, &shapes, &units, span);
-                self.trial.clear();
+                self.frame.trial.clear();
                 result?
             }
         };
         for (position, value) in values.iter().enumerate() {
-            self.trial.insert((system, position), value.clone());
+            self.frame.trial.insert((system, position), value.clone());
         }
         let residual = self.residual(system, span);
-        self.trial.clear();
+        self.frame.trial.clear();
         if residual?.iter().any(|r| !self.field.is_zero(r)) {
             return Err(Failure::new(FailureKind::NotLinear, span));
         }
@@ -127,7 +127,7 @@ impl<D: Domain> Evaluator<'_, D> {
         let mut image = |unit: &[(usize, usize, usize)]| {
             self.set_trial(system, shapes, unit);
             let values = self.residual_values(system, span);
-            self.trial.clear();
+            self.frame.trial.clear();
             values.map(|values| match values.as_slice() {
                 [Value::Matrix(m)] if m.shape() == (n, n) => Some(m.clone()),
                 _ => None,
@@ -262,7 +262,7 @@ impl<D: Domain> Evaluator<'_, D> {
         let residual = |e: &mut Self, unit: &[(usize, usize, usize)]| {
             e.set_trial(system, &[(n, n)], unit);
             let r = e.residual_values(system, span);
-            e.trial.clear();
+            e.frame.trial.clear();
             r
         };
         let square = |values: Vec<Value<D::Element>>| match values.as_slice() {
@@ -351,7 +351,9 @@ impl<D: Domain> Evaluator<'_, D> {
             let value = Matrix::from_fn(*rows, *columns, |i, j| {
                 self.field.integer(i64::from(unit.contains(&(u, i, j))))
             });
-            self.trial.insert((system, u), Value::from_matrix(value));
+            self.frame
+                .trial
+                .insert((system, u), Value::from_matrix(value));
         }
     }
 
@@ -423,7 +425,7 @@ impl<D: Domain> Evaluator<'_, D> {
             let ones: Vec<_> = (0..shapes.len()).map(|u| (u, 0, 0)).collect();
             self.set_trial(system, shapes, &ones);
             let fits = self.residual_values(system, span).is_ok();
-            self.trial.clear();
+            self.frame.trial.clear();
             fits
         });
         // A matrix, where both a matrix and a scalar would do.

@@ -4,7 +4,7 @@ use super::{Obstacle, Source};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::Text;
 use crate::domain::{Rationals, Symbolic};
-use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
+use crate::evaluate::{Evaluator, Failure, FailureKind, Value, World};
 use crate::expr::Expr;
 use crate::latex::{self, Signature};
 use crate::model::{Letter, Model};
@@ -96,11 +96,8 @@ impl<'m> Quantity<'m> {
                 letters[letter] = RationalFunction::constant(model.ring, value.clone());
             }
         }
-        let mut exact = Evaluator::new(model, model.field(), letters);
-        exact.keep_abbreviations = false;
-        for (equation, display) in source.exact.corrections() {
-            exact.correct(*equation, display.clone());
-        }
+        let world = World::new(model, letters).corrected_as(source.exact.world());
+        let mut exact = world.inserting().evaluator(model.field());
         let value = exact.expression(&expr);
         let symbolic = match value {
             Ok(Value::Scalar(f)) => Some(f),
@@ -207,11 +204,8 @@ impl<'m> Quantity<'m> {
         source: &Source<'_>,
         letters: Vec<BigRational>,
     ) -> Result<BigRational, Obstacle> {
-        let mut evaluator = Evaluator::new(self.model, Rationals, letters);
-        evaluator.keep_abbreviations = false;
-        for (equation, display) in source.exact.corrections() {
-            evaluator.correct(*equation, display.clone());
-        }
+        let world = World::new(self.model, letters).corrected_as(source.exact.world());
+        let mut evaluator = world.inserting().evaluator(Rationals);
         match evaluator.expression(&self.expr) {
             Ok(Value::Scalar(value)) => Ok(value),
             Ok(_) => Err(Obstacle::Beyond("not a scalar".into())),

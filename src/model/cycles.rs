@@ -8,7 +8,7 @@ use crate::expr::{Chain, Display, Expr, ExprKind};
 use crate::latex;
 use crate::model::links::children;
 use crate::span::Span;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 impl Model {
     /// One diagnostic for each name in an equation or a notation that has no meaning.
@@ -49,6 +49,8 @@ impl Model {
                 .map(|r| latex::canonical(&r.index))
                 .chain(sizes.iter().cloned())
                 .collect();
+            let indices = clause.ranges.iter().map(|r| latex::canonical(&r.index));
+            let mut indices: Vec<String> = indices.collect();
             let none = equation.settings.recalled_members.is_empty();
             let recalled = |member: usize| {
                 !none
@@ -65,6 +67,7 @@ impl Model {
             for (m, member) in clause.chain.members.iter().enumerate() {
                 if !recalled(m) {
                     self.check_expression(member, &mut bound, &mut report);
+                    self.shadowed_letters(member, &mut indices, &mut report);
                 }
             }
             for (_, label) in super::links::underbraces(&clause.chain) {
@@ -90,8 +93,11 @@ impl Model {
     ) -> bool {
         nodes.iter().any(|node| {
             let mut used = BTreeSet::new();
-            let corrected = BTreeMap::from([(equation, display.clone())]);
-            self.each_value(*node, &corrected, &mut |e| self.collect_name(e, &mut used));
+            let displays = |e: usize| match e == equation {
+                true => display,
+                false => self.display(e),
+            };
+            self.each_value(*node, &displays, &mut |e| self.collect_name(e, &mut used));
             let itself = match node {
                 Node::Unknown { .. } => true,
                 Node::Definition(d) => {
@@ -109,7 +115,7 @@ impl Model {
                     let mut needs = BTreeSet::new();
                     match next {
                         Node::Notation(_) => needs = self.needs(next),
-                        _ => self.each_value(next, &corrected, &mut |e| {
+                        _ => self.each_value(next, &displays, &mut |e| {
                             self.collect_name(e, &mut needs);
                         }),
                     }
@@ -276,11 +282,17 @@ impl Model {
         found
     }
 
-    /// The symbols that a node's value is computed from, through all definitions.
-    pub fn symbols_behind(
+    /// An equation as printed.
+    pub fn display(&self, equation: usize) -> &Display {
+        &self.equations[equation].display
+    }
+
+    /// The symbols that a node's value is computed from, through all definitions, where the equations
+    /// have these displays.
+    pub fn symbols_behind<'d>(
         &self,
         node: Node,
-        corrected: &BTreeMap<usize, Display>,
+        display: &impl Fn(usize) -> &'d Display,
     ) -> BTreeSet<usize> {
         let mut seen = BTreeSet::new();
         let mut open = vec![node];
@@ -293,7 +305,7 @@ impl Model {
                 symbols.insert(symbol);
             }
             open.extend(self.needs(node));
-            self.each_value(node, corrected, &mut |e| {
+            self.each_value(node, display, &mut |e| {
                 let mut used = BTreeSet::new();
                 self.collect_name(e, &mut used);
                 open.extend(used);
@@ -313,6 +325,33 @@ impl Model {
         symbols
     }
 
+    /// Sees every part of an expression and of all that its value is computed from, through all
+    /// definitions, where the equations have these displays.
+    pub fn visit_behind<'d>(
+        &self,
+        expr: &Expr,
+        display: &impl Fn(usize) -> &'d Display,
+        see: &mut impl FnMut(&Expr),
+    ) {
+        let mut seen = BTreeSet::new();
+        let mut open = BTreeSet::new();
+        super::links::visit(expr, &mut |e| {
+            see(e);
+            self.collect_name(e, &mut open);
+        });
+        while let Some(node) = open.pop_first() {
+            if !seen.insert(node) {
+                continue;
+            }
+            let mut used = self.needs(node);
+            self.each_value(node, display, &mut |e| {
+                see(e);
+                self.collect_name(e, &mut used);
+            });
+            open.extend(used);
+        }
+    }
+
     /// The symbols that a declared symbol is a function of.
     pub fn argument_symbols(&self, symbol: usize) -> impl Iterator<Item = usize> {
         self.symbols[symbol].arguments.iter().filter_map(|name| {
@@ -324,13 +363,12 @@ impl Model {
     }
 
     /// Every expression that a node's value is computed from directly.
-    fn each_value(
+    fn each_value<'d>(
         &self,
         node: Node,
-        corrected: &BTreeMap<usize, Display>,
+        display: &impl Fn(usize) -> &'d Display,
         see: &mut impl FnMut(&Expr),
     ) {
-        let display = |e: usize| corrected.get(&e).unwrap_or(&self.equations[e].display);
         match node {
             Node::Symbol(_) | Node::Matrix(_) => {}
             Node::Definition(d) => {

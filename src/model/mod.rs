@@ -11,6 +11,7 @@ pub mod links;
 pub mod matrices;
 pub mod names;
 pub mod range;
+mod shadow;
 pub mod statement;
 pub mod time;
 

@@ -12,6 +12,7 @@ use super::names::Names;
 use super::{Model, Node, Symbol};
 use crate::expr::Name;
 use crate::latex;
+use crate::span::Span;
 use crate::unit::{Base, Dimension, Unit};
 use std::collections::BTreeSet;
 
@@ -59,6 +60,14 @@ fn is_t(symbol: &Symbol) -> bool {
 }
 
 impl Model {
+    /// Whether the derivative that is printed there begins with curly d's.
+    pub(crate) fn is_partial(&self, span: Span) -> bool {
+        let printed = self.document.text.get(span.start..span.end);
+        let first = printed.unwrap_or_default().find("\\partial");
+        // Before it stands the fraction's command at most.
+        first.is_some_and(|at| at < 8)
+    }
+
     /// How a symbol depends on the time.
     pub fn clock(&self, symbol: usize) -> Clock {
         let declared = &self.symbols[symbol];

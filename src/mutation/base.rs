@@ -44,10 +44,10 @@ pub(super) fn corrected(document: &Document) -> Result<Document, Rejection> {
     let verdicts = check::check(&model, Options::default()).map_err(reject)?;
     let exact = check::corrected(&model, &verdicts.links);
     let mut text = document.text.clone();
-    let mut corrections: Vec<_> = exact.corrections().collect();
-    corrections.sort_by_key(|(e, _)| std::cmp::Reverse(model.equations[**e].span));
+    let mut corrections: Vec<_> = exact.world().corrections().collect();
+    corrections.sort_by_key(|(e, _)| std::cmp::Reverse(model.equations[*e].span));
     for (e, display) in corrections {
-        let span = model.equations[*e].span;
+        let span = model.equations[e].span;
         let mut written = latex::write_display(display);
         if text[span.start..span.end].ends_with('\n') {
             written.push('\n');
@@ -57,7 +57,7 @@ pub(super) fn corrected(document: &Document) -> Result<Document, Rejection> {
         let same = Document::parse(&document.name, &attempt)
             .ok()
             .and_then(|d| Model::build(&d).ok())
-            .is_some_and(|m| m.equations.get(*e).is_some_and(|q| q.display == *display));
+            .is_some_and(|m| m.equations.get(e).is_some_and(|q| q.display == *display));
         // What cannot be written so that it is read back the same stays as printed.
         if same {
             text = attempt;

@@ -174,16 +174,16 @@ impl<'m, 'p> Bench<'m, 'p> {
         let model = self.model;
         // Whatever is computed from here on is forgotten again, with the letters it was given.
         let original = model.equations[e].display.clone();
-        let frame = self.checkers[instance].put_in_place(e, original, &BTreeSet::new());
-        let before = self.values_before(instance, mutant, changed);
-        let checker = &mut self.checkers[instance];
-        let change = checker.put_in_place(e, mutant.display.clone(), &dependents.stale);
+        let mut undamaged = self.checkers[instance].changed(e, original, &BTreeSet::new());
+        let before = self.values_before(&mut undamaged, instance, mutant, changed);
+        let mut damaged = undamaged.changed(e, mutant.display.clone(), &dependents.stale);
+        let checker = &mut damaged;
         let mut fate = match checker.nonsense() {
             Some(nonsense) => Fate::Meaningless {
                 why: nonsense,
                 by: None,
             },
-            None => self.judged(instance, e, &case_of(mutant, model), changed, dependents),
+            None => self.judged(checker, e, &case_of(mutant, model), changed, dependents),
         };
         // A second opinion, from the values alone: what has passed must be the same, and what is
         // refuted must not be.
@@ -197,13 +197,13 @@ impl<'m, 'p> Bench<'m, 'p> {
         let after = match &fate {
             Fate::Meaningless { .. } => None,
             Fate::Refuted { .. } if much => None,
-            _ => self.values(instance, changed, &mutant.display),
+            _ => self.values(checker, changed, &mutant.display),
         };
         let equal = after.is_some() && before == after;
         fate = match fate {
             Fate::Survived if equal => Fate::Equivalent(Equivalence::SameValue),
             Fate::Survived if changed.nodes.is_empty() => self
-                .inequality(instance, mutant, changed)
+                .inequality(checker, mutant, changed)
                 .map_or(Fate::Survived, Fate::Equivalent),
             Fate::Survived if !changed.nodes.is_empty() => Fate::Undecided(UNTOLD.into()),
             Fate::Refuted { by, .. } => Fate::Refuted {
@@ -213,8 +213,7 @@ impl<'m, 'p> Bench<'m, 'p> {
             Fate::Undecided(_) if equal => Fate::Equivalent(Equivalence::SameValue),
             other => other,
         };
-        self.checkers[instance].put_back(change);
-        self.checkers[instance].put_back(frame);
+        drop((undamaged, damaged));
         if let Some(table) = &self.model.functions {
             table.take_back(self.letters);
         }
@@ -224,8 +223,8 @@ impl<'m, 'p> Bench<'m, 'p> {
     /// Whether the changed claims are inequalities that ask the same as before, or these or limits are
     /// true at points as well.
     fn inequality(
-        &mut self,
-        instance: usize,
+        &self,
+        checker: &mut Checker<'m>,
         mutant: &Mutant,
         changed: &Changed,
     ) -> Option<Equivalence> {
@@ -233,12 +232,11 @@ impl<'m, 'p> Bench<'m, 'p> {
         for (e, l) in &changed.claims {
             let equation = &self.model.equations[*e];
             let link = &equation.links[*l];
-            let checker = &mut self.checkers[instance];
             let mut under = match checker.under(*e) {
                 None => None,
                 Some(under) => Some(under.ok()?),
             };
-            let checker = under.as_mut().unwrap_or(checker);
+            let checker = under.as_mut().unwrap_or(&mut *checker);
             if link.relation == Relation::Tends {
                 same = false;
                 if checker.tends_at_points(&mutant.display, link) != Some(true) {
@@ -266,8 +264,8 @@ impl<'m, 'p> Bench<'m, 'p> {
     /// The verdicts on what a mutant changes and on what depends on it; [`Fate::Survived`] where all
     /// of them are passes.
     pub fn judged(
-        &mut self,
-        instance: usize,
+        &self,
+        checker: &mut Checker<'m>,
         e: usize,
         case: &Case<'_>,
         changed: &Changed,
@@ -281,7 +279,7 @@ impl<'m, 'p> Bench<'m, 'p> {
         let claims = changed.claims.iter().copied();
         let judged: Vec<LinkAt> = claims.chain(others).chain(definitions).collect();
         for at in judged {
-            match self.decided(instance, case, at) {
+            match self.decided(checker, case, at) {
                 Finding::Accepted => {}
                 Finding::Refuted => {
                     return Fate::Refuted {
@@ -309,8 +307,7 @@ impl<'m, 'p> Bench<'m, 'p> {
         undecided.map_or(Fate::Survived, Fate::Undecided)
     }
 
-    fn decided(&mut self, instance: usize, case: &Case<'_>, at: LinkAt) -> Finding {
-        let checker = &mut self.checkers[instance];
+    fn decided(&self, checker: &mut Checker<'m>, case: &Case<'_>, at: LinkAt) -> Finding {
         let decide = self.plan.decide;
         decide.decide(case, &mut || checker.finding(at.0, at.1))
     }
@@ -324,6 +321,7 @@ impl<'m, 'p> Bench<'m, 'p> {
     /// the same.
     fn values_before(
         &mut self,
+        checker: &mut Checker<'m>,
         instance: usize,
         mutant: &Mutant,
         changed: &Changed,
@@ -337,15 +335,19 @@ impl<'m, 'p> Bench<'m, 'p> {
             return values.clone();
         }
         let original = &self.model.equations[mutant.at.0].display;
-        let values = self.values(instance, changed, original);
+        let values = self.values(checker, changed, original);
         self.before = Some((key, values.clone()));
         values
     }
 
     /// The values of what a mutant changes: the sides of its claims, and what it defines.
-    fn values(&mut self, instance: usize, changed: &Changed, display: &Display) -> Option<Values> {
+    fn values(
+        &self,
+        checker: &mut Checker<'m>,
+        changed: &Changed,
+        display: &Display,
+    ) -> Option<Values> {
         let model = self.model;
-        let checker = &mut self.checkers[instance];
         let mut values = Vec::new();
         for (node, _) in &changed.nodes {
             values.extend(match node {

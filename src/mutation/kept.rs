@@ -63,13 +63,9 @@ impl Bench<'_, '_> {
         let nodes: BTreeSet<Node> = changed.nodes.iter().map(|(node, _)| *node).collect();
         let dependents = self.plan.dependences.dependents(&nodes);
         for instance in 0..self.checkers.len() {
-            let frame = self.checkers[instance].put_in_place(e, original.clone(), &BTreeSet::new());
-            let change = self.checkers[instance].put_in_place(
-                e,
-                rewritten.display.clone(),
-                &dependents.stale,
-            );
-            let kept = match self.checkers[instance].nonsense() {
+            let display = rewritten.display.clone();
+            let mut checker = self.checkers[instance].changed(e, display, &dependents.stale);
+            let kept = match checker.nonsense() {
                 Some(nonsense) => Kept::Rejected(nonsense.to_string()),
                 None => {
                     let case = Case {
@@ -77,11 +73,10 @@ impl Bench<'_, '_> {
                         original: &original,
                         changed: &rewritten.display,
                     };
-                    of_fate(self.judged(instance, e, &case, &changed, &dependents))
+                    of_fate(self.judged(&mut checker, e, &case, &changed, &dependents))
                 }
             };
-            self.checkers[instance].put_back(change);
-            self.checkers[instance].put_back(frame);
+            drop(checker);
             if let Some(table) = &self.model.functions {
                 table.take_back(self.letters);
             }

@@ -40,14 +40,13 @@ impl Bench<'_, '_> {
     pub(super) fn repair(&mut self, mutant: &Mutant) -> Repair {
         let (e, l) = mutant.at;
         let stale = self.stale(values_of(self.model, e).into_iter().map(|(node, _)| node));
-        // The search leaves its correction in place: it works on a twin.
-        let mut searching = self.checkers[0].twin(check::Options {
+        let damaged = self.checkers[0].changed(e, mutant.display.clone(), &stale);
+        let mut searching = damaged.spending(check::Options {
             threads: 1,
             ..check::Options::default()
         });
-        searching.put_in_place(e, mutant.display.clone(), &stale);
         let correction = searching.correction(e, l);
-        drop(searching);
+        drop((searching, damaged));
         let mut repair = Repair {
             first: false,
             any: false,
@@ -87,9 +86,8 @@ impl Bench<'_, '_> {
         let link = &equation.links[l];
         let checker = &mut self.checkers[0];
         let original = checker.expanded_sides(e, &equation.display, link);
-        let change = checker.put_in_place(e, display.clone(), stale);
-        let proposed = checker.expanded_sides(e, display, link);
-        checker.put_back(change);
+        let mut mended = checker.changed(e, display.clone(), stale);
+        let proposed = mended.expanded_sides(e, display, link);
         proposed.is_some() && proposed == original
     }
 }

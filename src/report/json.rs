@@ -6,6 +6,7 @@ mod statement;
 use crate::audit::Audit;
 use crate::check::effect::effect;
 use crate::comparison::{Comparison, Subject};
+use crate::evaluate::Origin;
 use crate::inspection::Inspection;
 use crate::latex;
 use crate::paper::papers;
@@ -231,7 +232,8 @@ struct EffectText {
 
 #[derive(Debug, Serialize)]
 struct Condition {
-    nonzero: String,
+    formula: String,
+    must: &'static str,
     because: Option<String>,
 }
 
@@ -409,7 +411,12 @@ impl Writer<'_> {
                 .conditions
                 .iter()
                 .map(|c| Condition {
-                    nonzero: self.formulas.polynomial(&c.factor, Script::Code),
+                    formula: self.formulas.polynomial(&c.factor, Script::Code),
+                    must: match c.origin {
+                        Origin::Divisor(_) | Origin::Determinant(_) => "not vanish",
+                        Origin::Stability(_) => "be positive",
+                        Origin::Range(_) => "not be negative",
+                    },
                     because: c.because.as_ref().map(|b| match b {
                         Because::Positive => "positive".to_string(),
                         Because::Definite(name) => format!("minor of the positive definite {name}"),

@@ -224,7 +224,10 @@ pub fn false_because(
     }
     let witness = refutation.witness();
     if let Some(witness) = witness.filter(|w| w.point.len() <= most_letters) {
-        line = line.words("; ").then(values(formulas, witness));
+        if !line.is_empty() {
+            line = line.words("; ");
+        }
+        line = line.then(values(formulas, witness));
     }
     if let Some(part) = &refutation.part {
         line = line

@@ -341,24 +341,35 @@ fn multiplied_out(outcome: &Outcome) -> Prose {
 
 /// What must not vanish, by the reason why it does not.
 pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Prose> {
-    let stable = |c: &&NonVanishing| matches!(c.origin, Origin::Stability(_));
-    let stationary: Vec<Prose> = conditions
-        .iter()
-        .filter(stable)
-        .map(|c| {
+    let positive = |words: &str, is_meant: fn(&Origin) -> bool| {
+        let meant = conditions.iter().filter(|c| is_meant(&c.origin));
+        let formulas = meant.map(|c| {
             Prose::new().formula(
                 formulas.polynomial(&c.factor, Script::Latex),
                 formulas.polynomial(&c.factor, Script::Plain),
             )
+        });
+        let formulas: Vec<Prose> = formulas.collect();
+        (!formulas.is_empty()).then(|| {
+            Prose::of(words)
+                .then(Prose::joined(formulas, ", "))
+                .words(".")
         })
-        .collect();
-    let stationary = (!stationary.is_empty()).then(|| {
-        Prose::of("Stationary only where these are positive: ")
-            .then(Prose::joined(stationary, ", "))
-            .words(".")
-    });
+    };
+    let stable = |o: &Origin| matches!(o, Origin::Stability(_));
+    let ranged = |o: &Origin| matches!(o, Origin::Range(_));
+    let stationary = positive("Stationary only where these are positive: ", stable);
+    let within = positive(
+        "Within the ranges of the definitions, where these are not negative: ",
+        ranged,
+    );
+    let stationary = match (stationary, within) {
+        (Some(stationary), Some(within)) => Some(stationary.words(" ").then(within)),
+        (one, other) => one.or(other),
+    };
     let mut groups: Vec<(&Option<Because>, Vec<&NonVanishing>)> = Vec::new();
-    for condition in conditions.iter().filter(|c| !stable(c)) {
+    let must_be_positive = |c: &&NonVanishing| stable(&c.origin) || ranged(&c.origin);
+    for condition in conditions.iter().filter(|c| !must_be_positive(c)) {
         match groups
             .iter_mut()
             .find(|(because, _)| **because == condition.because)

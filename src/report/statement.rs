@@ -17,7 +17,7 @@ use crate::verdict::statement::{
 };
 use num_rational::BigRational;
 use ratpoly::RationalFunction;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// A row of the table has no more characters than this, but for its first fact.
 const LINE: usize = 150;
@@ -537,7 +537,7 @@ impl Writer<'_> {
             let mut nodes = BTreeSet::new();
             model.collect(expr, &mut nodes);
             for node in nodes {
-                behind.extend(model.symbols_behind(node, &BTreeMap::new()));
+                behind.extend(model.symbols_behind(node, &|e| model.display(e)));
             }
             links::visit(expr, &mut |e| {
                 if let ExprKind::Name(name) = &e.kind

@@ -80,17 +80,7 @@ impl<'m> Quantities<'m> {
     pub fn of(audit: &'m Audit) -> Self {
         let model = &audit.model;
         let mut exact = check::corrected(&audit.model, &audit.outcomes);
-        let mut expanding = check::corrected(&audit.model, &audit.outcomes);
-        expanding.keep_abbreviations = false;
-        let mut inserted = Vec::new();
-        for (letter, kind) in model.letters.iter().enumerate() {
-            if let Letter::Abbreviation { definition } = kind {
-                let key = (Node::Definition(*definition), Vec::new(), 0);
-                if let Ok(Value::Scalar(value)) = expanding.value_of(key, Span::default()) {
-                    inserted.push((letter, value));
-                }
-            }
-        }
+        let inserted = exact.abbreviations();
         let mut quantities = Quantities {
             model,
             list: Vec::new(),

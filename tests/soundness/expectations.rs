@@ -3,6 +3,8 @@
 //! the second moments that the document states, and from the eigenvalues of 1x1 and 2x2 systems.
 
 use super::dots::{Draw, Tally, verdicts};
+use crate::common::audit;
+use rederive::check::Options;
 use rederive::document::VerdictWord;
 
 /// Two random quantities with their second moments, and constants.
@@ -57,6 +59,83 @@ fn second_moments_are_decided() {
     }
     assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
     assert_eq!(tally.open, 0);
+}
+
+/// An expectation inside of another is a constant there, whatever letters it has.
+#[test]
+fn nested_expectations_are_constants() {
+    let mut draw = Draw::new(9);
+    let (mut claims, mut truths) = (Vec::new(), Vec::new());
+    // An inner expectation and its value.
+    let inner = [
+        (r"E\{r\}", "0"),
+        (r"E\{s^2\}", "w"),
+        (r"E\{rs\}", "c"),
+        (r"E\{r^2 + 1\}", "(v + 1)"),
+        (r"E\{ar + b\}", "b"),
+        (r"E\{(r - E\{r\})^2\}", "v"),
+    ];
+    for _ in 0..200 {
+        let (constant, value) = inner[draw.below(inner.len())];
+        let k = 1 + draw.below(4);
+        let (body, right) = match draw.below(5) {
+            0 => (
+                format!("({k}r - {constant})^2"),
+                format!("{}v + {value}^2", k * k),
+            ),
+            1 => (format!("{k}r{constant}"), "0".into()),
+            2 => (format!("{k}s^2 {constant}"), format!(r"{k}w \cdot {value}")),
+            3 => (format!("{k}r + {constant}"), value.into()),
+            _ => (
+                format!("(r + {constant})(s - {k})"),
+                format!(r"c - {k} \cdot {value}"),
+            ),
+        };
+        let truth = draw.coin();
+        let off = if truth { "" } else { " + 1" };
+        claims.push(format!(r"E\{{{body}\}} = {right}{off}"));
+        truths.push(truth);
+    }
+    let mut tally = Tally::default();
+    for ((claim, truth), word) in claims.iter().zip(&truths).zip(verdicts(MOMENTS, &claims)) {
+        tally.count(claim, *truth, word);
+    }
+    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
+    assert_eq!(tally.open, 0);
+}
+
+/// A hypothesis about what is random itself changes its moments in a way that is not written.
+#[test]
+fn hypotheses_on_what_is_random_leave_moments_open() {
+    let hypotheses = ["r = 0", "r = s", "r = 3", "rs = 1", "r^2 = v", "n = r"];
+    let claims = [
+        "E\\{r^2\\} = v",
+        "E\\{r^2\\} = w",
+        "E\\{r\\} = 3",
+        "E\\{r\\} = 0",
+        "E\\{s^2\\} = w",
+    ];
+    let mut text = MOMENTS.to_string();
+    let mut labels = Vec::new();
+    for (h, hypothesis) in hypotheses.iter().enumerate() {
+        for (c, claim) in claims.iter().enumerate() {
+            for key in ["assume", "given"] {
+                let label = format!("{key}{h}x{c}");
+                text += &format!("\n```math {label} claim\n{claim}\n```\n");
+                text += &format!("\n```toml {label}\n{key} = ['{hypothesis}']\n```\n");
+                labels.push(label);
+            }
+        }
+    }
+    let audit = audit(&text, Options::default()).unwrap_or_else(|r| panic!("{r}"));
+    for label in labels {
+        let equation = audit.model.equation(&label).expect("a claim");
+        let outcome = audit.outcomes_of(equation).next().expect("a link");
+        let word = outcome.verdict.word();
+        // What holds without the hypothesis holds with it.
+        let sound = matches!(word, VerdictWord::Undecided | VerdictWord::Holds);
+        assert!(sound, "{label}: {word}");
+    }
 }
 
 /// What stands under the expectation is no polynomial of degree two: true or false, nothing stated

@@ -19,6 +19,7 @@ mod solve;
 mod stated;
 
 use super::Checker;
+use super::worlds::Insertions;
 use crate::check::hypotheses::admitted::Admitted;
 use crate::check::hypotheses::possible::Signs;
 use crate::domain::Symbolic;
@@ -28,7 +29,7 @@ use crate::functions::{FunctionTable, Impossible, Supposed as Supposition};
 use crate::model::range::End;
 use crate::model::{Hypothesis, Letter, Model};
 use ratpoly::{Polynomial, RationalFunction};
-use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// How often the hypotheses are evaluated anew with what was found from them.
 const PASSES: usize = 8;
@@ -51,16 +52,6 @@ pub(crate) struct Supposed {
     divisors: Vec<Polynomial>,
     /// Whether hypotheses are in force, beside what is declared.
     pub in_force: bool,
-}
-
-/// What the hypotheses make of an evaluation.
-pub(crate) struct Hypotheses<'m> {
-    /// An evaluator in which they hold.
-    pub exact: Evaluator<'m, Symbolic>,
-    /// The values of the abbreviations under them.
-    pub inserted: BTreeMap<usize, RationalFunction>,
-    /// What is supposed of the letters.
-    pub supposed: Supposed,
 }
 
 /// Why hypotheses cannot be used.
@@ -109,25 +100,25 @@ impl<'m> Checker<'m> {
         self.exact.field.table()
     }
 
-    /// The evaluation of an equation under the hypotheses printed around it.
+    /// A checker in which the hypotheses printed around an equation hold.
     ///
     /// # Errors
     /// Why they cannot be used.
-    pub(crate) fn under_hypotheses(&mut self, equation: usize) -> Result<Hypotheses<'m>, Unusable> {
+    pub(crate) fn under_hypotheses(&mut self, equation: usize) -> Result<Checker<'m>, Unusable> {
         let model = self.model;
         let hypotheses: Vec<&Hypothesis> = model.equations[equation].assume.iter().collect();
         self.suppose(&hypotheses)
     }
 
-    /// The evaluation under some hypotheses.
+    /// A checker in which some hypotheses hold.
     ///
     /// # Errors
     /// Why they cannot be used.
     pub(crate) fn suppose(
         &mut self,
         hypotheses: &[&'m Hypothesis],
-    ) -> Result<Hypotheses<'m>, Unusable> {
-        let mut supposed = self.supposed.clone();
+    ) -> Result<Checker<'m>, Unusable> {
+        let mut supposed = Supposed::clone(&self.supposed);
         supposed.in_force = true;
         let mut stable = false;
         for _ in 0..PASSES {
@@ -142,26 +133,22 @@ impl<'m> Checker<'m> {
             return Err(Unusable::Limit);
         }
         self.consistent(hypotheses, &supposed)?;
-        let world = self.evaluator_under(&supposed)?;
-        let mut letters = world.letters().to_vec();
+        let under = self.evaluator_under(&supposed)?;
+        let mut letters = under.world().letters().to_vec();
         for (letter, value) in self.replaced_abbreviations(hypotheses) {
-            letters[letter] = image(world.field.table(), &value, &supposed.replaced)?;
+            letters[letter] = image(under.field.table(), &value, &supposed.replaced)?;
         }
-        let mut exact = self.exact.with_letters(letters);
-        exact.field = world.field.clone();
+        let there = self.exact.world().with_letters(letters);
+        let exact = there.evaluator(under.field.clone());
         let inserted = self
             .inserted
             .iter()
             .map(|(letter, value)| {
-                let table = world.field.table();
+                let table = under.field.table();
                 Ok((*letter, image(table, value, &supposed.replaced)?))
             })
-            .collect::<Result<_, Unusable>>()?;
-        Ok(Hypotheses {
-            exact,
-            inserted,
-            supposed,
-        })
+            .collect::<Result<Insertions, Unusable>>()?;
+        Ok(self.elsewhere(exact, Arc::new(inserted), Arc::new(supposed)))
     }
 
     /// An evaluator in which letters have the values that are supposed, and the definitions are inserted.
@@ -172,14 +159,13 @@ impl<'m> Checker<'m> {
         };
         let letters = self
             .exact
+            .world()
             .letters()
             .iter()
             .map(|value| image(field.table(), value, &supposed.replaced))
             .collect::<Result<_, _>>()?;
-        let mut exact = self.exact.with_letters(letters);
-        exact.field = field;
-        exact.keep_abbreviations = false;
-        Ok(exact)
+        let world = self.exact.world().with_letters(letters).inserting();
+        Ok(world.evaluator(field))
     }
 
     /// What is supposed, as the table of functions takes it: ends of ranges, signs, and sums of these,

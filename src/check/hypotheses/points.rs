@@ -453,7 +453,7 @@ impl Checker<'_> {
             Some(table) => table.letters_behind(f),
             None => super::super::identity::letters_of([f]),
         };
-        let mut there = self.supposed.clone();
+        let mut there = Supposed::clone(&self.supposed);
         there.relations.push(f.numerator().clone());
         let is_zero = |point: &Point| self.value_at(f, point).is_some_and(|v| v.is_zero());
         let points = self.points_under(&there, &letters);

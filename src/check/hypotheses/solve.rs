@@ -7,6 +7,7 @@ use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, Value};
 use crate::expr::Relation;
 use crate::model::range::{Numbers, Range};
+use crate::model::time::Clock;
 use crate::model::{Hypothesis, Letter};
 use crate::span::Span;
 use ratpoly::{Polynomial, RationalFunction};
@@ -93,7 +94,7 @@ impl<'m> Checker<'m> {
             None => self.range_of(*l).numbers == Numbers::Complex,
         };
         let any_complex = occurring.iter().any(complex);
-        let mut best: Option<((usize, usize, usize), Candidate)> = None;
+        let mut best: Option<((usize, usize, usize, usize), Candidate)> = None;
         for letter in &occurring {
             let Letter::Symbol { symbol, order } = self.model.letters[*letter] else {
                 continue;
@@ -135,8 +136,11 @@ impl<'m> Checker<'m> {
                 () if *range == Range::default() => 1,
                 () => 2,
             };
+            let runs = matches!(self.model.clock(symbol), Clock::Runs(_));
+            let time = runs && self.model.symbols[symbol].function_of.is_none();
             let rank = (
                 usize::from(!slope.is_constant()),
+                usize::from(time),
                 known,
                 usize::from(u8::MAX - order),
             );
@@ -204,6 +208,13 @@ impl<'m> Checker<'m> {
             };
             let rate = image(table.as_ref(), &rate, &supposed.replaced)?;
             let constant = self.model.symbols[symbol].function_of.is_none();
+            // A time goes on by itself.
+            let own = match self.model.clock(symbol) {
+                Clock::Runs(_) if constant => RationalFunction::one(self.model.ring),
+                Clock::Runs(_) | Clock::Still | Clock::Unclear => {
+                    RationalFunction::zero(self.model.ring)
+                }
+            };
             match self.model.letter_of_symbol(symbol, order + 1) {
                 Some(next) => match supposed.replaced.iter().find(|(known, _)| *known == next) {
                     None => pending.push((next, rate)),
@@ -215,8 +226,16 @@ impl<'m> Checker<'m> {
                     }
                 },
                 // What does not move has no rate.
-                None if constant && !rate.is_zero() && !supposed.consequences.contains(&rate) => {
-                    supposed.consequences.push(rate);
+                None if constant => {
+                    let difference = &rate - &own;
+                    // At a moment the time is a number.
+                    let moment = rate.is_zero() && !own.is_zero();
+                    if !difference.is_zero()
+                        && !moment
+                        && !supposed.consequences.contains(&difference)
+                    {
+                        supposed.consequences.push(difference);
+                    }
                 }
                 None => {}
             }

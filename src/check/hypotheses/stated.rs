@@ -1,7 +1,6 @@
 //! Hypotheses that a document states and that are not printed (`given`): they are used where an
 //! equation is false without them, and named in its verdict.
 
-use super::Hypotheses;
 use crate::check::Checker;
 use crate::check::identity::{Decision, Insertion};
 use crate::evaluate::Value;
@@ -31,14 +30,14 @@ impl<'m> Checker<'m> {
             return undecided("the stated hypothesis is the claim itself".into());
         }
         let conditions = self.exact.conditions.clone();
-        let under = match self.suppose(&stated) {
+        let mut under = match self.suppose(&stated) {
             Ok(under) => under,
             Err(unusable) => return undecided(format!("as stated: {}", self.words_of(&unusable))),
         };
-        let free = self.exchange(under);
-        let (proof, false_there) = self.proof_where_supposed(equation, link);
-        let vanishing = self.vanishing_divisor().is_some() || self.divides_by_relation();
-        self.exchange(free);
+        let (proof, false_there) = under.proof_where_supposed(equation, link);
+        self.diagnostics.append(&mut under.diagnostics);
+        self.contradiction = self.contradiction.take().or(under.contradiction.take());
+        let vanishing = under.vanishing_divisor().is_some() || under.divides_by_relation();
         let Some(proof) = proof else {
             self.exact.conditions = conditions;
             let Some(found) = false_there.or_else(|| self.violated(equation, link)) else {
@@ -101,15 +100,6 @@ impl<'m> Checker<'m> {
                 self.proved(equation, link, &[], &Insertion::default(), Some(&given))
             }
             Decision::False(..) | Decision::Refuted(_) => None,
-        }
-    }
-
-    /// Puts an evaluation in place of this one, and gives back the one before.
-    pub(in crate::check) fn exchange(&mut self, other: Hypotheses<'m>) -> Hypotheses<'m> {
-        Hypotheses {
-            exact: std::mem::replace(&mut self.exact, other.exact),
-            inserted: std::mem::replace(&mut self.inserted, other.inserted),
-            supposed: std::mem::replace(&mut self.supposed, other.supposed),
         }
     }
 

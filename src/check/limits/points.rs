@@ -3,7 +3,8 @@
 
 use super::{Approach, set_moving, towards};
 use crate::check::Checker;
-use crate::evaluate::Value;
+use crate::domain::Symbolic;
+use crate::evaluate::{Evaluator, Value};
 use crate::expr::{Display, Expr, ExprKind, Name};
 use crate::model::links::{Link, children};
 use crate::model::names::Resolved;
@@ -14,6 +15,12 @@ use num_traits::{Signed, Zero};
 /// The powers of four at which a limit is looked at: on the way there, and much farther.
 const NEAR: usize = 6;
 const FAR: usize = 20;
+
+/// One of the combinations of cases of the definitions that are met.
+struct Case {
+    number: usize,
+    of: usize,
+}
 
 impl Checker<'_> {
     /// Whether a statement about a limit looks true at points on the way there, as a second opinion
@@ -28,18 +35,18 @@ impl Checker<'_> {
         if approach.is_none() && !infinite {
             return None;
         }
-        let mut case = 0;
+        let mut case = Case { number: 0, of: 0 };
         // What is defined by cases has to tend there in each.
         loop {
-            self.exact.cases_met = 0;
             let looks = match &approach {
-                None => self.integral_at_points(left, case),
-                Some(approach) => self.limit_at_points([left, right], approach, infinite, case),
+                None => self.integral_at_points(left, &mut case),
+                Some(approach) => {
+                    self.limit_at_points([left, right], approach, infinite, &mut case)
+                }
             };
-            let cases = std::mem::take(&mut self.exact.cases_met);
-            case += 1;
+            case.number += 1;
             match looks {
-                Some(true) if case < cases => {}
+                Some(true) if case.number < case.of => {}
                 looks => return looks,
             }
         }
@@ -50,7 +57,7 @@ impl Checker<'_> {
         [left, right]: [&Expr; 2],
         approach: &Approach,
         infinite: bool,
-        case: usize,
+        case: &mut Case,
     ) -> Option<bool> {
         let end = towards(&approach.goal)?;
         let mut moving = left.clone();
@@ -68,7 +75,7 @@ impl Checker<'_> {
         Some(far.is_zero() || far < near)
     }
 
-    fn integral_at_points(&mut self, expr: &Expr, case: usize) -> Option<bool> {
+    fn integral_at_points(&mut self, expr: &Expr, case: &mut Case) -> Option<bool> {
         let (body, variable, ends) = infinite_integral(expr)?;
         let Ok(Resolved::Letter { symbol, order: 0 }) = self.model.resolve(&variable, &|_| false)
         else {
@@ -92,12 +99,12 @@ impl Checker<'_> {
         symbol: usize,
         towards: Towards,
         power: usize,
-        case: usize,
+        case: &mut Case,
     ) -> Option<(BigRational, BigRational)> {
         let letter = self.model.letter_of_symbol(symbol, 0)?;
-        self.exact.begin_case(case);
-        let value = self.exact.expression(expr);
-        self.exact.case = 0;
+        let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(expr);
+        let (value, cases) = self.exact.in_case(case.number, value);
+        case.of = case.of.max(cases);
         let Ok(Value::Scalar(value)) = value else {
             return None;
         };

@@ -14,11 +14,10 @@ use super::parallel::{Blocks, Seed};
 use super::work::Spent;
 use super::{Found, described};
 use crate::domain::{PRIME, PrimeField};
-use crate::evaluate::Evaluator;
+use crate::evaluate::{Evaluator, World};
 use crate::expr::{Display, Relation};
 use crate::model::links::{Link, Place};
 use crate::model::{DefinitionKind, Node, Role};
-use crate::span::Span;
 use crate::verdict::{Changed, Correction, Outcome, Preferred, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -59,9 +58,9 @@ impl<'m> Bench<'m> {
         if !edit.apply(&mut corrected) {
             return false;
         }
-        self.evaluator.correct(*definition, corrected);
+        let mut evaluator = self.evaluator.corrected(*definition, corrected);
         let own = self.checker.exact.display(claim.0).clone();
-        let mends = self.holds(claim, &own) && {
+        let mends = holds_modulo(&mut evaluator, &own, &claim.1) && {
             let resting = match self.claims.get(definition) {
                 Some(resting) => resting.clone(),
                 None => {
@@ -72,16 +71,14 @@ impl<'m> Bench<'m> {
             };
             // As printed: what was corrected before may be true without.
             let model = self.checker.model;
-            let holds = |claim: &Claim| self.holds(claim, &model.equations[claim.0].display);
+            let mut holds = |claim: &Claim| {
+                let printed = &model.equations[claim.0].display;
+                holds_modulo(&mut evaluator, printed, &claim.1)
+            };
             // One claim alone is as well mended where it stands.
-            resting.len() > 1 && resting.iter().all(holds)
+            resting.len() > 1 && resting.iter().all(&mut holds)
         };
-        self.evaluator.correct(*definition, printed);
         mends
-    }
-
-    fn holds(&mut self, claim: &Claim, display: &Display) -> bool {
-        holds_modulo(&mut self.evaluator, display, &claim.1)
     }
 }
 
@@ -178,26 +175,24 @@ impl<'m> Checker<'m> {
             let printed = self.exact.display(definition).clone();
             let mut corrected = printed.clone();
             replacement.apply(&mut corrected);
-            self.exact.correct(definition, corrected.clone());
-            let values = self.inserted.clone();
-            let decision = self
-                .insert_anew()
-                .and_then(|()| self.sides(equation, link).ok())
-                .and_then(|entries| {
-                    let decision = self.decide_true(&entries, equation).ok()?;
-                    Some((decision, entries))
-                });
+            let mut mended = self.corrected(definition, corrected.clone());
+            if mended.inserted.len() < self.inserted.len() {
+                continue;
+            }
+            let decision = mended.sides(equation, link).ok().and_then(|entries| {
+                let decision = mended.decide_true(&entries, equation).ok()?;
+                Some((decision, entries))
+            });
             let proof = match decision {
                 Some((Decision::Holds(by), entries)) => {
-                    self.proved(equation, link, &entries, &by, None)
+                    mended.proved(equation, link, &entries, &by, None)
                 }
                 Some((Decision::HoldsGiven(by, given), _)) => {
-                    self.proved(equation, link, &[], &by, Some(&given))
+                    mended.proved(equation, link, &[], &by, Some(&given))
                 }
-                _ => None,
+                Some((Decision::Follows(..) | Decision::Refuted(_) | Decision::False(..), _))
+                | None => None,
             };
-            self.exact.correct(definition, printed.clone());
-            self.inserted = values;
             if let Some(proof) = proof {
                 let edits = described(&printed, std::slice::from_ref(&replacement));
                 proved.push((definition, corrected, edits, replacement.cost, proof));
@@ -277,21 +272,18 @@ impl<'m> Checker<'m> {
             let Some(link) = links.copied().find(|l| l.member == outcomes[first].member) else {
                 continue;
             };
-            let own = self.exact.display(equation).clone();
-            self.exact
-                .correct(equation, model.equations[equation].display.clone());
+            let mut printed = self.corrected(equation, model.display(equation).clone());
             let limit = Spent {
                 tried: budget,
                 work: self.options.work,
             };
             let found =
-                self.by_definition(equation, &link, &mut Spent::default(), limit, Some(&among));
+                printed.by_definition(equation, &link, &mut Spent::default(), limit, Some(&among));
             match found {
                 Some(correction) => {
+                    self.adopt(printed);
                     if let Some((definition, display)) = &correction.definition {
-                        self.exact.correct(*definition, display.clone());
-                        // It was computed so before the correction was accepted.
-                        let _ = self.insert_anew();
+                        self.correct(*definition, display.clone());
                     }
                     let outcome = &mut outcomes[first];
                     let (Verdict::Misprint { refutation, .. } | Verdict::Refuted(refutation)) =
@@ -308,7 +300,7 @@ impl<'m> Checker<'m> {
                         correction: Box::new(correction),
                     };
                 }
-                None => self.exact.correct(equation, own),
+                None => {}
             }
         }
     }
@@ -342,25 +334,22 @@ impl<'m> Checker<'m> {
                 if correction.definition.is_some() {
                     continue;
                 }
-                let own = self.exact.display(*equation).clone();
-                let printed = self.model.equations[*equation].display.clone();
-                self.exact.correct(*equation, printed.clone());
-                let entries = self.sides(*equation, link).unwrap_or_default();
-                match self.decide_true(&entries, *equation) {
-                    Ok(Decision::Holds(by)) if !entries.is_empty() => {
-                        let proof = self.proved(*equation, link, &entries, &by, None);
-                        match proof {
-                            Some(proof) => {
-                                **correction = Correction {
-                                    display: printed,
-                                    proof,
-                                    ..common.clone()
-                                };
-                            }
-                            None => self.exact.correct(*equation, own),
-                        }
-                    }
-                    _ => self.exact.correct(*equation, own),
+                let display = self.model.display(*equation).clone();
+                let mut printed = self.corrected(*equation, display.clone());
+                let entries = printed.sides(*equation, link).unwrap_or_default();
+                if entries.is_empty() {
+                    continue;
+                }
+                let Ok(Decision::Holds(by)) = printed.decide_true(&entries, *equation) else {
+                    continue;
+                };
+                if let Some(proof) = printed.proved(*equation, link, &entries, &by, None) {
+                    **correction = Correction {
+                        display,
+                        proof,
+                        ..common.clone()
+                    };
+                    self.adopt(printed);
                 }
             }
         }
@@ -375,35 +364,13 @@ impl<'m> Checker<'m> {
         PER_NODE * (nodes + 1)
     }
 
-    /// Computes all abbreviations anew from the definitions as corrected.
-    pub(in crate::check) fn insert_anew(&mut self) -> Option<()> {
-        let mut expanding = self.exact.anew();
-        expanding.keep_abbreviations = false;
-        for (letter, value) in &mut self.inserted {
-            let crate::model::Letter::Abbreviation { definition } = self.model.letters[*letter]
-            else {
-                continue;
-            };
-            let node = (Node::Definition(definition), Vec::new(), 0);
-            match expanding.value_of(node, Span::default()) {
-                Ok(crate::evaluate::Value::Scalar(image)) => *value = image,
-                _ => return None,
-            }
-        }
-        Some(())
-    }
-
     /// An evaluator modulo the prime that computes everything from the equations.
     pub(super) fn native(&self) -> Evaluator<'m, PrimeField> {
         let mut random = SplitMix(0x5DEE_CE66_D1CE_4E5B);
         let letters = self.model.letters.iter().map(|_| random.next() % PRIME);
-        let mut evaluator =
-            Evaluator::new(self.model, PrimeField, letters.collect()).in_instance(self.instance);
-        evaluator.keep_abbreviations = false;
-        for (equation, display) in self.exact.corrections() {
-            evaluator.correct(*equation, display.clone());
-        }
-        evaluator
+        let world = World::new(self.model, letters.collect()).in_instance(self.instance);
+        let world = world.corrected_as(self.exact.world()).inserting();
+        world.evaluator(PrimeField)
     }
 
     /// The equations that define what an equation names, directly or through others.

@@ -6,7 +6,7 @@ use super::work;
 use crate::check::Checker;
 use crate::check::sides::sides_of;
 use crate::domain::{Domain, PrimeField, Symbolic};
-use crate::evaluate::{Evaluator, Failure, FailureKind, Key, Value};
+use crate::evaluate::{Evaluator, Failure, FailureKind, Key, Value, World};
 use crate::expr::Display;
 use crate::functions::FunctionTable;
 use crate::model::links::Link;
@@ -135,7 +135,7 @@ impl<'m> Checker<'m> {
     {
         let at = point.clone();
         // A letter has the value that the hypotheses printed around the equation give it.
-        let letters = self.exact.letters().iter().zip(&point);
+        let letters = self.exact.world().letters().iter().zip(&point);
         let point = letters
             .map(|(letter, free)| image(letter, &at).unwrap_or_else(|_| free.clone()))
             .collect();
@@ -147,13 +147,9 @@ impl<'m> Checker<'m> {
             };
             Some(value.try_map(|e| image(e, &at).map_err(|kind| Failure::new(kind, span))))
         };
-        let mut evaluator = Evaluator::new(self.model, field, point)
-            .in_instance(self.instance)
-            .with_provider(Box::new(provider));
-        for (equation, display) in self.exact.corrections() {
-            evaluator.correct(*equation, display.clone());
-        }
-        evaluator
+        let world = World::new(self.model, point).in_instance(self.instance);
+        let world = world.corrected_as(self.exact.world());
+        world.evaluator(field).with_provider(Box::new(provider))
     }
 
     /// An exact evaluator of its own, with the corrections so far.

@@ -253,10 +253,10 @@ impl<'m> Checker<'m> {
                 trial.empty += 1;
                 continue;
             }
-            self.exact.correct(equation, corrected.clone());
+            let mut mended = self.corrected(equation, corrected.clone());
             let spent = &mut trial.spent.work;
             // One that is too dear is none; the others are still looked at.
-            let proof = self.bounded(|checker| checker.proof_of(equation, link, spent));
+            let proof = mended.bounded(|checker| checker.proof_of(equation, link, spent));
             let Ok(Some((given, proof))) = proof else {
                 continue;
             };
@@ -267,7 +267,6 @@ impl<'m> Checker<'m> {
                 proof,
             });
         }
-        self.exact.correct(equation, display.clone());
         // Identities before equations that need a relation; of these what fits the units best.
         proved.sort_by_key(|p| (p.given.is_some(), p.candidate.cost));
         let equals = |proved: &[Proved]| {

@@ -5,59 +5,42 @@
 
 use super::work::Spent;
 use crate::check::hypotheses::Supposed;
+use crate::check::worlds::Insertions;
 use crate::check::{Checker, Options};
 use crate::domain::Symbolic;
-use crate::evaluate::Evaluator;
-use crate::expr::Display;
-use crate::model::Model;
+use crate::evaluate::World;
 use crate::progress::interrupted;
 use crate::stack::Queue;
 use ratpoly::RationalFunction;
-use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 /// What a thread needs for a checker of its own.
 pub(super) struct Seed<'m> {
-    model: &'m Model,
+    world: World<'m, RationalFunction>,
     field: Symbolic,
-    letters: Vec<RationalFunction>,
-    corrections: Vec<(usize, Display)>,
-    instance: usize,
     options: Options,
-    inserted: BTreeMap<usize, RationalFunction>,
-    supposed: Supposed,
+    inserted: Arc<Insertions>,
+    supposed: Arc<Supposed>,
 }
 
 impl<'m> Seed<'m> {
     pub fn of(checker: &Checker<'m>) -> Self {
-        let corrections = checker.exact.corrections();
         Seed {
-            model: checker.model,
+            world: checker.exact.world().clone(),
             field: checker.exact.field.clone(),
-            letters: checker.exact.letters().to_vec(),
-            corrections: corrections.map(|(e, d)| (*e, d.clone())).collect(),
-            instance: checker.instance,
             options: checker.options,
-            inserted: checker.inserted.clone(),
-            supposed: checker.supposed.clone(),
+            inserted: Arc::clone(&checker.inserted),
+            supposed: Arc::clone(&checker.supposed),
         }
     }
 
     /// A checker that has computed nothing yet.
     pub fn checker(&self) -> Checker<'m> {
-        let letters = self.letters.clone();
-        let mut exact =
-            Evaluator::new(self.model, self.field.clone(), letters).in_instance(self.instance);
-        for (equation, display) in &self.corrections {
-            exact.correct(*equation, display.clone());
-        }
-        Checker::with(
-            exact,
-            self.options,
-            self.inserted.clone(),
-            self.supposed.clone(),
-        )
+        let exact = self.world.clone().evaluator(self.field.clone());
+        let (inserted, supposed) = (Arc::clone(&self.inserted), Arc::clone(&self.supposed));
+        Checker::with(exact, self.options, inserted, supposed)
     }
 }
 

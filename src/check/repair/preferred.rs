@@ -50,37 +50,34 @@ impl Checker<'_> {
         if others.is_empty() {
             return None;
         }
-        let before = self.exact.display(equation).clone();
         let mut scores = Vec::new();
         for one in &proved[..equals] {
-            self.exact.correct(equation, one.display.clone());
+            let mut mended = self.corrected(equation, one.display.clone());
             let mut score = 0;
             for other in &others {
-                if let Ok(entries) = self.sides(equation, other)
+                if let Ok(entries) = mended.sides(equation, other)
                     && let Ok(Decision::Holds(_) | Decision::HoldsGiven(..)) =
-                        self.decide_true(&entries, equation)
+                        mended.decide_true(&entries, equation)
                 {
                     score += 1;
                 }
             }
             scores.push(score);
         }
-        self.exact.correct(equation, before);
         Self::best_first(proved, &scores).map(Preferred::OtherLinks)
     }
 
     /// Whether all matrices that an equation defines are symmetric if it reads so, and there is one.
     pub(super) fn defines_symmetric(&mut self, equation: usize, display: &Display) -> bool {
         let model = self.model;
-        let before = self.exact.display(equation).clone();
-        self.exact.correct(equation, display.clone());
+        let mut exact = self.exact.corrected(equation, display.clone());
         let mut matrices = 0;
         let symmetric = (0..model.definitions.len())
             .filter(|d| model.definitions[*d].equation == equation)
             .filter(|d| matches!(model.definitions[*d].kind, DefinitionKind::Whole))
             .all(|d| {
                 let key = (Node::Definition(d), Vec::new(), 0);
-                match self.exact.value_of(key, Span::default()) {
+                match exact.value_of(key, Span::default()) {
                     Ok(Value::Matrix(m)) => {
                         matrices += 1;
                         m == m.transpose()
@@ -88,7 +85,6 @@ impl Checker<'_> {
                     value => value.is_ok(),
                 }
             });
-        self.exact.correct(equation, before);
         symmetric && matrices > 0
     }
 
@@ -104,11 +100,11 @@ impl Checker<'_> {
         if claims.is_empty() || self.model.functions.is_some() {
             return None;
         }
-        let mut evaluator = self.native();
+        let native = self.native();
         let model = self.model;
         let mut scores = Vec::new();
         for one in &proved[..equals] {
-            evaluator.correct(equation, one.display.clone());
+            let mut evaluator = native.corrected(equation, one.display.clone());
             let holds = |(e, link): &&(usize, Link)| {
                 holds_modulo(&mut evaluator, &model.equations[*e].display, link)
             };

@@ -10,6 +10,8 @@ use crate::model::links::Link;
 use crate::span::Span;
 use crate::verdict::{Edit, PointValue, Rejected, Witness};
 use num_rational::BigRational;
+use ratpoly::RationalFunction;
+use std::rc::Rc;
 
 /// How many readings of the same places are reported as rejected.
 const REPORTED: usize = 128;
@@ -75,28 +77,31 @@ impl Checker<'_> {
         let real: Vec<Option<BigRational>> = (0..point.len())
             .map(|l| (!self.is_function(l)).then(|| point[l].clone()))
             .collect();
-        let mut evaluator =
-            self.evaluator_at(self.exact_anew(), Rationals, point, move |value, point| {
+        let exact = self.exact_anew();
+        let evaluator = || {
+            let (table, real) = (table.clone(), real.clone());
+            let image = move |value: &RationalFunction, point: &[BigRational]| {
                 match &table {
                     Some(table) => table.rational_value(value, &real),
                     None => value.evaluate(point).ok(),
                 }
                 .ok_or(FailureKind::DivisionByZero)
-            });
+            };
+            self.evaluator_at(Rc::clone(&exact), Rationals, point.clone(), image)
+        };
+        let (mut evaluator, mut lenient) = (evaluator(), evaluator().leniently());
         rejected
             .into_iter()
             .filter_map(|(edits, display)| {
                 let mut missing = None;
                 let mut misfit = None;
-                evaluator.lenient = false;
                 if let Err(failure) = sides_of(&mut evaluator, &display, link, span) {
                     misfit = failure.misfit();
                     if let FailureKind::Outside { name } = failure.kind {
                         missing = Some(name);
                     }
                 }
-                evaluator.lenient = true;
-                let witness = sides_of(&mut evaluator, &display, link, span)
+                let witness = sides_of(&mut lenient, &display, link, span)
                     .ok()
                     .and_then(|pairs| {
                         pairs.into_iter().find_map(|(indices, left, right)| {

@@ -20,8 +20,9 @@ use super::admissible::Admissible;
 use super::bounded;
 use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Value};
-use crate::expr::Expr;
+use crate::expr::{Expr, ExprKind, Name};
 use crate::functions::{FunctionLetter, FunctionTable};
+use crate::model::links::visit;
 use crate::model::statement::Proposition;
 use crate::model::{Letter, Model};
 use crate::unit::{self, Units};
@@ -227,6 +228,26 @@ impl Checker<'_> {
         if p.predicate == Predicate::Explicit {
             let value = self.exact.expression(&p.of)?;
             return Ok(self.explicit(&value));
+        }
+        let mut letters: Vec<Name> = Vec::new();
+        letters.extend(
+            p.letters
+                .iter()
+                .map(|s| self.model.symbols[*s].name.clone()),
+        );
+        if let (Predicate::ProportionalTo, Some(to)) = (p.predicate, &p.to) {
+            visit(to, &mut |e| {
+                if let ExprKind::Name(name) = &e.kind {
+                    letters.push(name.clone());
+                }
+            });
+        }
+        let mut letters = letters.iter();
+        let moves = letters.any(|name| p.expressions().any(|e| self.moves_with(e, name)));
+        if moves {
+            return Ok(Found::undecided(
+                "how a process depends on the letter is not written",
+            ));
         }
         let f = self.quantity(&p.of, p, ground)?;
         let mut optional = |expr: &Option<Expr>| match expr {
