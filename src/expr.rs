@@ -6,6 +6,7 @@
 //! route meet only here.
 
 pub mod reading;
+pub mod walk;
 
 use crate::span::Span;
 use num_rational::BigRational;

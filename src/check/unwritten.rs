@@ -41,7 +41,7 @@ impl Checker<'_> {
             let sides = [link.left, link.right];
             let sides: Vec<&Expr> = sides.iter().filter_map(|p| p.find(display)).collect();
             return goes.find_map(|name| {
-                if self.ties(equation, name) || self.bounds_by_others(equation, name) {
+                if self.ties(equation, name) || self.bounds_by_others(equation, name, |_| true) {
                     Some("a hypothesis ties the letter that goes to a limit")
                 } else if sides.iter().any(|side| self.moves_with(side, name)) {
                     Some("how a process goes with the letter that goes to a limit is not written")
@@ -63,7 +63,7 @@ impl Checker<'_> {
                         body,
                         ..
                     } if !self.model.is_time(variable) => {
-                        tied |= self.ties(equation, variable);
+                        tied |= self.ties(equation, variable) || self.pinches(equation, variable);
                         cornered |= self.ends_at(equation, variable) && self.has_corners(body);
                     }
                     ExprKind::Derivative { body, .. } => {
@@ -114,9 +114,20 @@ impl Checker<'_> {
         equations.any(|h| mentions(&h.left, name) || mentions(&h.right, name))
     }
 
-    /// Whether a relation among the hypotheses is between a letter and others.
-    fn bounds_by_others(&self, equation: usize, name: &Name) -> bool {
-        let mut hypotheses = self.hypotheses_of(equation);
+    /// Whether an order that may be an equality, among the hypotheses, is between a letter and others.
+    fn pinches(&self, equation: usize, name: &Name) -> bool {
+        let orders = [Relation::LessEqual, Relation::GreaterEqual];
+        self.bounds_by_others(equation, name, |relation| orders.contains(&relation))
+    }
+
+    /// Whether such a relation among the hypotheses is between a letter and others.
+    fn bounds_by_others(
+        &self,
+        equation: usize,
+        name: &Name,
+        such: impl Fn(Relation) -> bool,
+    ) -> bool {
+        let mut hypotheses = self.hypotheses_of(equation).filter(|h| such(h.relation));
         hypotheses.any(|h| {
             let sides = [&h.left, &h.right];
             let (mut own, mut others) = (false, false);

@@ -142,6 +142,7 @@ impl<D: Domain> Evaluator<'_, D> {
                 }
             }
         }
+        self.leave_gap(&admitted, span);
         let choices = admitted.len();
         if between && choices > 1 {
             return Err(Failure::unsupported(
@@ -179,6 +180,24 @@ impl<D: Domain> Evaluator<'_, D> {
         let (value, supposed) = admitted.swap_remove(choice);
         self.choice.supposed.extend(supposed);
         self.expression(value)
+    }
+
+    /// What lies between two cases that exclude each other, where neither has the point between them,
+    /// has no value.
+    fn leave_gap(&mut self, admitted: &[(&Expr, Vec<Supposed<D::Element>>)], span: Span) {
+        let [(_, one), (_, other)] = admitted else {
+            return;
+        };
+        let ([one], [other]) = (&one[..], &other[..]) else {
+            return;
+        };
+        let sum = self.field.add(&one.element, &other.element);
+        if one.strict && other.strict && self.field.is_zero(&sum) {
+            self.conditions.push(super::Condition {
+                divisor: one.element.clone(),
+                origin: super::Origin::Divisor(span),
+            });
+        }
     }
 
     /// Supposes that the letters of a function lie in the range that stands beside its definition.

@@ -523,3 +523,42 @@ fn a_running_index_that_may_be_a_letter_is_asked() {
         assert!(index(plain), "{plain}");
     }
 }
+
+/// Two cases that leave out the point between them, and a range, leave a condition.
+#[test]
+fn gaps_between_cases_and_ranges_are_conditions() {
+    let text = r"```toml symbols
+a = { positive = true }
+x = { }
+'\xi' = { }
+```
+```math 1 define
+C(\xi) = \begin{cases} \xi & \xi > 0 \\ -\xi & \xi < 0 \end{cases}
+```
+```math 2 define
+D(\xi) = \begin{cases} \xi & \xi \ge 0 \\ -\xi & \xi < 0 \end{cases}
+```
+```math 3 define
+w(\xi) = \xi^2, \quad 0 < \xi < 1
+```
+```math 4 claim
+C(x) = |x|
+```
+```math 5 claim
+D(x) = |x|
+```
+```math 6 claim
+w(a) = a^2
+```
+```math 7 claim
+C(x - a) = |x - a|
+```
+";
+    let audit = audit(text, Options::default()).unwrap_or_else(|r| panic!("{r}"));
+    for (label, conditions) in [("4", 1), ("5", 0), ("6", 1), ("7", 1)] {
+        let equation = audit.model.equation(label).expect("a claim");
+        let outcome = audit.outcomes_of(equation).next().expect("a link");
+        assert_eq!(outcome.verdict.word(), VerdictWord::Holds, "{label}");
+        assert_eq!(outcome.conditions.len(), conditions, "{label}");
+    }
+}
