@@ -72,6 +72,26 @@ pub fn within<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exha
     })
 }
 
+/// The same, but what is spent counts for no other: the caller counts it in another way.
+///
+/// # Errors
+/// As [`within`].
+pub fn apart<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
+    let outer = LEFT.get();
+    let result = within(allowed, work);
+    LEFT.set(outer);
+    result
+}
+
+/// What is left of the allowance that is in force, if one is.
+pub fn left() -> Option<Allowance> {
+    let left = LEFT.get();
+    left.in_force.then_some(Allowance {
+        steps: left.steps,
+        bytes: left.bytes,
+    })
+}
+
 /// The steps that are left; all there are where no allowance is in force.
 pub fn steps_left() -> u64 {
     LEFT.get().steps
@@ -132,6 +152,13 @@ mod tests {
             (inner, steps_left() < 1_000_000, power(3))
         });
         assert_eq!(nested, Ok((Err(Exhausted::Steps), true, 20)));
+        let counted_elsewhere = within(allowed(1_000_000, 1 << 20), || {
+            let all = left().unwrap();
+            let inner = apart(all, || power(10));
+            (inner, left() == Some(all))
+        });
+        assert_eq!(counted_elsewhere, Ok((Ok(286), true)));
+        assert_eq!(left(), None);
         assert_eq!(power(10), 286, "nothing is in force afterwards");
     }
 }

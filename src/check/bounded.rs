@@ -13,13 +13,15 @@ use ratpoly::allowance::{self, Allowance, Exhausted};
 use std::sync::Arc;
 
 /// The most steps of one stage of a link: its proof, a second route, the search for a correction.
-const STEPS: u64 = 600_000_000;
-/// How many such stages a link has.
+const STEPS: u64 = 500_000_000;
+/// What all stages of a link together may take: so many fifths of one.
 const STAGES: u64 = 6;
 /// The least, however much the others have cost.
-const FEWEST_STEPS: u64 = 50_000_000;
+const FEWEST_STEPS: u64 = 5_000_000;
 /// The steps of a document, of which each takes its own.
-const DOCUMENT_STEPS: u64 = 20_000_000_000;
+const DOCUMENT_STEPS: u64 = 1_500_000_000;
+/// How many steps of the engine a step of a search stands for at most, and some more for what passes.
+const SEARCH: u64 = 18;
 /// The bytes of one polynomial.
 pub(super) const BYTES: usize = 32 << 20;
 
@@ -56,6 +58,12 @@ pub(crate) fn words(exhausted: Exhausted) -> &'static str {
 }
 
 impl Checker<'_> {
+    /// The steps that a search may take of what the options allow: it ends by itself before the
+    /// allowance of its stage does.
+    pub(super) fn work_of_a_search(&self) -> u64 {
+        self.options.work.min(self.allowance().steps / SEARCH)
+    }
+
     /// What the next computation may cost.
     pub(super) fn allowance(&self) -> Allowance {
         Allowance {
@@ -64,19 +72,38 @@ impl Checker<'_> {
         }
     }
 
-    /// Runs `work` under an allowance of its own. Where it is cut short the checker is as before.
+    /// Runs `work` under the allowance of one stage. Where it is cut short the checker is as before.
     ///
     /// # Errors
     /// What ran out.
     pub(crate) fn bounded<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> Result<T, Exhausted> {
+        self.bounded_by(5, work)
+    }
+
+    /// The same for all stages of a link together, or of what costs as much.
+    ///
+    /// # Errors
+    /// What ran out.
+    pub(crate) fn bounded_in_all<T>(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> T,
+    ) -> Result<T, Exhausted> {
+        self.bounded_by(STAGES, work)
+    }
+
+    fn bounded_by<T>(
+        &mut self,
+        fifths: u64,
+        work: impl FnOnce(&mut Self) -> T,
+    ) -> Result<T, Exhausted> {
         if interrupted() {
             return Err(Exhausted::Interrupted);
         }
         let nested = std::mem::replace(&mut self.pool.in_use, true);
         let mut allowed = self.allowance();
-        if !nested {
-            allowed.steps *= STAGES;
-        }
+        // A part has no more than the whole has left.
+        let whole = allowance::steps_left();
+        allowed.steps = (allowed.steps / 5 * fifths).min(whole);
         let world = self.exact.world().clone();
         let inserted = Arc::clone(&self.inserted);
         let supposed = Arc::clone(&self.supposed);

@@ -204,7 +204,7 @@ impl<'m> Checker<'m> {
             outcomes.extend(self.settle(equation));
         }
         let mut better = outcomes.clone();
-        let improved = self.bounded(|checker| {
+        let improved = self.bounded_in_all(|checker| {
             checker.common_definitions(&mut better);
             checker.explained_by_definitions(&mut better);
         });
@@ -288,7 +288,7 @@ impl<'m> Checker<'m> {
         self.contradiction = None;
         let mut positivity = None;
         let before = self.exact.world().correction(equation).cloned();
-        let found = self.bounded(|checker| {
+        let found = self.bounded_in_all(|checker| {
             let mut positivity = None;
             let verdict = checker.verdict(equation, l, unusable, &mut positivity);
             (verdict, checker.conditions(), positivity)
