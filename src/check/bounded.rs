@@ -28,7 +28,8 @@ pub(super) const BYTES: usize = 32 << 20;
 /// What the stages around the links of a document may cost.
 pub(crate) const WHOLE: Allowance = Allowance {
     steps: 4 * DOCUMENT_STEPS,
-    bytes: BYTES,
+    // What its links keep is its own.
+    bytes: 4 * BYTES,
 };
 
 /// The steps that a document has left.
