@@ -27,7 +27,7 @@ pub(super) const BYTES: usize = 32 << 20;
 
 /// What the stages around the links of a document may cost.
 pub(crate) const WHOLE: Allowance = Allowance {
-    steps: 4 * DOCUMENT_STEPS,
+    steps: 20 * DOCUMENT_STEPS,
     // What its links keep is its own.
     bytes: 4 * BYTES,
 };
@@ -45,6 +45,16 @@ impl Default for Pool {
         Pool {
             steps: DOCUMENT_STEPS,
             in_use: false,
+        }
+    }
+}
+
+impl Pool {
+    /// The same for one of so many instances, which share it.
+    pub(crate) fn of_one_in(instances: usize) -> Self {
+        Pool {
+            steps: DOCUMENT_STEPS / instances.max(1) as u64,
+            ..Pool::default()
         }
     }
 }
