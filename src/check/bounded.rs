@@ -19,7 +19,7 @@ const STAGES: u64 = 6;
 /// The least, however much the others have cost.
 const FEWEST_STEPS: u64 = 5_000_000;
 /// The steps of a document, of which each takes its own.
-const DOCUMENT_STEPS: u64 = 1_500_000_000;
+const DOCUMENT_STEPS: u64 = 1_000_000_000;
 /// How many steps of the engine a step of a search stands for at most, and some more for what passes.
 const SEARCH: u64 = 18;
 /// The bytes of one polynomial.
