@@ -186,7 +186,7 @@ fn functions_of_functions_are_each_looked_at_once() {
 #[test]
 fn exponents_up_to_ten_thousand_are_used_and_others_cost_their_own_claim_only() {
     let one = |latex: &str| {
-        let text = with_constants(&letters("a b"), &[("claim", latex.to_string())]);
+        let text = with_constants(&letters("a b x"), &[("claim", latex.to_string())]);
         verdicts(&text).pop().expect("a claim").word()
     };
     assert_eq!(
