@@ -75,10 +75,11 @@ impl Checker<'_> {
         self.options.work.min(self.allowance().steps / SEARCH)
     }
 
-    /// What the next computation may cost.
+    /// What the next computation may cost: a part has no more than the whole has left.
     pub(super) fn allowance(&self) -> Allowance {
+        let own = self.pool.steps.clamp(FEWEST_STEPS, STEPS);
         Allowance {
-            steps: self.pool.steps.clamp(FEWEST_STEPS, STEPS),
+            steps: own.min(allowance::steps_left()),
             bytes: BYTES,
         }
     }
@@ -112,7 +113,6 @@ impl Checker<'_> {
         }
         let nested = std::mem::replace(&mut self.pool.in_use, true);
         let mut allowed = self.allowance();
-        // A part has no more than the whole has left.
         let whole = allowance::steps_left();
         allowed.steps = (allowed.steps / 5 * fifths).min(whole);
         let world = self.exact.world().clone();
@@ -120,18 +120,14 @@ impl Checker<'_> {
         let supposed = Arc::clone(&self.supposed);
         let options = self.options;
         let noted = self.diagnostics.len();
-        let found = allowance::within(allowed, || {
-            let result = work(self);
-            (result, allowance::steps_left())
-        });
-        let left = found.as_ref().map_or(0, |(_, left)| *left);
+        let found = allowance::within(allowed, || work(self));
         self.pool.in_use = nested;
         if !nested {
-            let spent = allowed.steps - left;
+            let spent = whole.saturating_sub(allowance::steps_left());
             self.pool.steps = self.pool.steps.saturating_sub(spent);
         }
         match found {
-            Ok((result, _)) => Ok(result),
+            Ok(result) => Ok(result),
             Err(exhausted) => {
                 self.exact = self.exact.in_world(world);
                 self.inserted = inserted;

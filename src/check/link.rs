@@ -127,7 +127,7 @@ impl Checker<'_> {
             let kind = FailureKind::Exhausted { what: what.into() };
             if exhausted != Exhausted::Interrupted {
                 for node in nodes {
-                    self.exact.has_no_value(node, kind.clone());
+                    self.has_no_value(node, kind.clone());
                 }
             }
             Verdict::Undecided {
