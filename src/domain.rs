@@ -79,6 +79,11 @@ pub trait Domain {
         10
     }
 
+    /// Whether the elements are numbers: they do not grow into sums of many terms.
+    fn is_of_numbers(&self) -> bool {
+        false
+    }
+
     /// About how many bytes each of the terms takes that [`size`](Domain::size) counts.
     fn bytes_of_a_term(&self) -> usize {
         64
@@ -326,6 +331,10 @@ pub struct Rationals;
 impl Domain for Rationals {
     type Element = BigRational;
 
+    fn is_of_numbers(&self) -> bool {
+        true
+    }
+
     fn image(&self, function: &RationalFunction, letters: &[BigRational]) -> Option<BigRational> {
         function.evaluate(letters).ok()
     }
@@ -422,6 +431,10 @@ impl PrimeField {
 
 impl Domain for PrimeField {
     type Element = u64;
+
+    fn is_of_numbers(&self) -> bool {
+        true
+    }
 
     fn image(&self, function: &RationalFunction, letters: &[u64]) -> Option<u64> {
         let top = function.numerator().evaluate_mod(letters, PRIME).ok()?;

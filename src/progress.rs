@@ -42,7 +42,7 @@ static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 static PRINTING: AtomicBool = AtomicBool::new(false);
 
 /// How long after Ctrl-C a run has to end by itself.
-const GRACE: Duration = Duration::from_millis(1200);
+const GRACE: Duration = Duration::from_millis(900);
 
 /// Says that what was found is printed from now on.
 pub fn printing() {

@@ -7,7 +7,7 @@ mod common;
 use common::audit;
 use rederive::check::Options;
 use rederive::document::VerdictWord;
-use rederive::verdict::Verdict;
+use rederive::verdict::{Ended, Verdict};
 
 /// A document with these letters, and a last claim that must hold whatever the others cost.
 fn document(letters: &[String], fences: &[(&str, String)]) -> String {
@@ -146,4 +146,85 @@ fn squarings_by_definition_end() {
     }
     fences.push(("claim", "u_{59} = a".to_string()));
     ends(&document(&letters("a b"), &fences), "too");
+}
+
+/// A document whose constants are declared too.
+fn with_constants(letters: &[String], fences: &[(&str, String)]) -> String {
+    document(letters, fences)
+        + "```toml notation\n'\\pi' = { constant = \"pi\" }\ne = { constant = \"e\" }\n```\n"
+}
+
+#[test]
+fn definitions_behind_an_exponent_are_each_looked_at_once() {
+    let mut fences = vec![("define", "u_{0} = a".to_string())];
+    for k in 1..60 {
+        let before = format!("u_{{{}}}", k - 1);
+        fences.push(("define", format!("u_{{{k}}} = {before} + {before}")));
+    }
+    fences.push(("claim", "b^{u_{59}} = a".to_string()));
+    let found = verdicts(&document(&letters("a b"), &fences));
+    assert_ne!(found.last().expect("a claim").word(), VerdictWord::Holds);
+}
+
+#[test]
+fn functions_of_functions_are_each_looked_at_once() {
+    for step in ["e^{u} + u", "\\cos u + u", "\\sqrt{u + u^2}"] {
+        let mut fences = vec![("define", "u_{0} = a".to_string())];
+        for k in 1..24 {
+            let before = format!("u_{{{}}}", k - 1);
+            fences.push((
+                "define",
+                format!("u_{{{k}}} = {}", step.replace('u', &before)),
+            ));
+        }
+        fences.push(("claim", "u_{23} = a".to_string()));
+        let found = verdicts(&with_constants(&letters("a b"), &fences));
+        assert_ne!(found.last().expect("a claim").word(), VerdictWord::Holds);
+    }
+}
+
+#[test]
+fn exponents_up_to_ten_thousand_are_used_and_others_cost_their_own_claim_only() {
+    let one = |latex: &str| {
+        let text = with_constants(&letters("a b x"), &[("claim", latex.to_string())]);
+        verdicts(&text).pop().expect("a claim").word()
+    };
+    assert_eq!(
+        one("\\int_0^a (x+1)^{1000}\\,dx = \\frac{(a+1)^{1001}-1}{1001}"),
+        VerdictWord::Holds
+    );
+    for latex in ["9^{9^{9}} = 1", "a^{100000} = 1", "a^{-10^{30}} = 1"] {
+        assert_eq!(one(latex), VerdictWord::Undecided, "{latex}");
+    }
+    // What nobody could write down shows nothing false, and takes no room.
+    for latex in [
+        "((2^{1000})^{1000})^{1000} = 1",
+        "((a+1)^{1000})^{1000} = 1",
+    ] {
+        assert_ne!(one(latex), VerdictWord::Holds, "{latex}");
+    }
+}
+
+/// The search counts what the exact engine spends on its candidates, ends by itself, and says how far it came.
+#[test]
+fn a_search_among_dear_candidates_ends_with_what_it_tried() {
+    let latex =
+        "\\sqrt{a^2+b^2} + \\sqrt{b^2+c^2} + \\sqrt{c^2+x^2} = a + \\int_0^a e^{y}\\cos y\\,dy";
+    let text = with_constants(&letters("a b c x y"), &[("claim", latex.to_string())]);
+    let searched = |threads| {
+        let options = Options {
+            work: 400_000,
+            threads,
+            ..Options::default()
+        };
+        let audit = audit(&text, options).unwrap_or_else(|r| panic!("{r}"));
+        match &audit.outcomes[0].verdict {
+            Verdict::Refuted(refutation) => refutation.searched,
+            other => panic!("{:?}", other.word()),
+        }
+    };
+    let found = searched(1).expect("a search");
+    assert_eq!(found.ended, Some(Ended::Work));
+    assert!(found.tried > 0 && found.tried < found.of, "{found:?}");
+    assert_eq!(searched(3), Some(found));
 }

@@ -3,8 +3,8 @@
 //! Operators such as `+` have no budget and no error to return. Where an allowance is in force they end at
 //! its limit nevertheless: the computation unwinds, without the panic hook, to the [`within`] that granted it,
 //! as queries that are cancelled do in salsa. No result that was cut short is ever seen. Steps are those of
-//! [`Budget`](crate::Budget); bytes are those of one polynomial or of one list of products. Without an
-//! allowance nothing changes.
+//! [`Budget`](crate::Budget); bytes are those of one polynomial or of one list of products, and a few times as
+//! many those of all polynomials that the work holds at a time. Without an allowance nothing changes.
 
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -35,12 +35,20 @@ struct Left {
     in_force: bool,
     steps: u64,
     bytes: usize,
+    /// What the polynomials of the thread take together when the work begins.
+    held: usize,
 }
+
+/// All polynomials that work makes may take so many times what one may, and together with those that
+/// there were before it so many times.
+const MADE: usize = 2;
+const ALL: usize = 3;
 
 thread_local! {
     static LEFT: Cell<Left> = const {
-        Cell::new(Left { in_force: false, steps: u64::MAX, bytes: usize::MAX })
+        Cell::new(Left { in_force: false, steps: u64::MAX, bytes: usize::MAX, held: 0 })
     };
+    static HELD: Cell<usize> = const { Cell::new(0) };
 }
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -59,6 +67,7 @@ pub fn within<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exha
         in_force: true,
         steps: allowed.steps,
         bytes: allowed.bytes,
+        held: HELD.get(),
     });
     let result = catch_unwind(AssertUnwindSafe(work));
     let spent = allowed.steps - LEFT.get().steps;
@@ -69,6 +78,26 @@ pub fn within<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exha
     result.map_err(|payload| match payload.downcast::<Exhausted>() {
         Ok(exhausted) => *exhausted,
         Err(panic) => resume_unwind(panic),
+    })
+}
+
+/// The same, but what is spent counts for no other: the caller counts it in another way.
+///
+/// # Errors
+/// As [`within`].
+pub fn apart<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
+    let outer = LEFT.get();
+    let result = within(allowed, work);
+    LEFT.set(outer);
+    result
+}
+
+/// What is left of the allowance that is in force, if one is.
+pub fn left() -> Option<Allowance> {
+    let left = LEFT.get();
+    left.in_force.then_some(Allowance {
+        steps: left.steps,
+        bytes: left.bytes,
     })
 }
 
@@ -103,6 +132,54 @@ pub fn reserve(bytes: usize) {
     }
 }
 
+/// The memory of one polynomial in the account of its thread. It says nothing of the polynomial: any two
+/// are equal.
+pub(crate) struct Held(usize);
+
+impl Held {
+    /// Takes so many bytes, and ends the computation where that is too many.
+    #[inline]
+    pub fn new(bytes: usize) -> Self {
+        let held = HELD.get().saturating_add(bytes);
+        let left = LEFT.get();
+        if left.in_force {
+            let made = held.saturating_sub(left.held);
+            let most = left.bytes.saturating_mul(ALL);
+            if made > left.bytes.saturating_mul(MADE) || bytes > 0 && held > most {
+                stop(Exhausted::Memory);
+            }
+        }
+        HELD.set(held);
+        Held(bytes)
+    }
+}
+
+impl Clone for Held {
+    fn clone(&self) -> Self {
+        Held::new(self.0)
+    }
+}
+
+impl Drop for Held {
+    #[inline]
+    fn drop(&mut self) {
+        // It may have been taken on another thread.
+        HELD.set(HELD.get().saturating_sub(self.0));
+    }
+}
+
+impl PartialEq for Held {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Eq for Held {}
+
+impl std::hash::Hash for Held {
+    fn hash<H: std::hash::Hasher>(&self, _: &mut H) {}
+}
+
 fn stop(why: Exhausted) -> ! {
     resume_unwind(Box::new(why))
 }
@@ -132,6 +209,20 @@ mod tests {
             (inner, steps_left() < 1_000_000, power(3))
         });
         assert_eq!(nested, Ok((Err(Exhausted::Steps), true, 20)));
+        let counted_elsewhere = within(allowed(1_000_000, 1 << 20), || {
+            let all = left().unwrap();
+            let inner = apart(all, || power(10));
+            (inner, left() == Some(all))
+        });
+        assert_eq!(counted_elsewhere, Ok((Ok(286), true)));
+        assert_eq!(left(), None);
         assert_eq!(power(10), 286, "nothing is in force afterwards");
+        // Each is small, and all of them are not.
+        let g = f.pow(10);
+        let many = |n: usize| (0..n).map(|_| g.clone()).collect::<Vec<_>>().len();
+        let all = allowed(u64::MAX, 1 << 20);
+        assert_eq!(within(all, || many(10)), Ok(10));
+        assert_eq!(within(all, || many(1_000)), Err(Exhausted::Memory));
+        assert_eq!(within(all, || (0..1_000).map(|_| many(1)).sum()), Ok(1_000));
     }
 }

@@ -86,10 +86,7 @@ pub(crate) fn fused(ring: Ring, products: &[SignedProduct<'_>]) -> Option<Polyno
 #[cold]
 fn fused_wider(ring: Ring, widest: usize, products: &[SignedProduct<'_>]) -> Option<Polynomial> {
     for kind in (widest..KINDS).filter(|&kind| ring.layout(kind).is_some()) {
-        let convert = |f: &Polynomial| Polynomial {
-            ring,
-            terms: f.terms.in_kind(ring, kind),
-        };
+        let convert = |f: &Polynomial| Polynomial::of(ring, f.terms.in_kind(ring, kind));
         let converted: Vec<(bool, Polynomial, Polynomial)> = products
             .iter()
             .map(|(negate, f, g)| (*negate, convert(f), convert(g)))
@@ -195,10 +192,7 @@ fn fuse<'a, M: PackedMonomial + Copy>(
         }
         _ => return Fused::Unsuitable,
     };
-    Fused::Sum(Polynomial {
-        ring,
-        terms: list.into_terms(ring),
-    })
+    Fused::Sum(Polynomial::of(ring, list.into_terms(ring)))
 }
 
 /// A single run: no sum at all.
@@ -225,10 +219,7 @@ fn scale<M: PackedMonomial + Copy>(
             coefficient,
         });
     }
-    Fused::Sum(Polynomial {
-        ring,
-        terms: TermList::Word(terms).into_terms(ring),
-    })
+    Fused::Sum(Polynomial::of(ring, TermList::Word(terms).into_terms(ring)))
 }
 
 /// The bits of the largest coefficient and, field by field, the greatest exponents; `None` for no terms.

@@ -102,6 +102,22 @@ impl<M: PackedMonomial> TermList<M> {
         each_width!(self, terms => terms.len())
     }
 
+    /// About how many bytes they take.
+    pub fn bytes(&self) -> usize {
+        let inline = each_width!(self, terms => {
+            let apart = terms.first().map_or(0, |t| t.monomial.bytes_apart());
+            size_of_val(terms.as_slice()) + terms.len() * apart
+        });
+        let long = match self {
+            TermList::Word(_) | TermList::Double(_) => 0,
+            TermList::Big(terms) => {
+                let bits = terms.iter().map(|t| t.coefficient.bits());
+                usize::try_from(bits.sum::<u64>() / 8).unwrap_or(usize::MAX)
+            }
+        };
+        inline.saturating_add(long)
+    }
+
     /// The terms with their coefficients in one type.
     pub fn get(&self, index: usize) -> Option<(&M, Value<'_>)> {
         each_width!(self, terms => terms.get(index).map(|t| (&t.monomial, t.coefficient.value())))
@@ -370,6 +386,14 @@ impl<M: PackedMonomial> TermList<M> {
             })
         });
         descending && narrow_width && packed && narrow_layout
+    }
+}
+
+impl Terms {
+    /// About how many bytes they take.
+    #[inline]
+    pub fn bytes(&self) -> usize {
+        each_layout!(self, list => list.bytes())
     }
 }
 

@@ -13,20 +13,23 @@ use ratpoly::allowance::{self, Allowance, Exhausted};
 use std::sync::Arc;
 
 /// The most steps of one stage of a link: its proof, a second route, the search for a correction.
-const STEPS: u64 = 600_000_000;
-/// How many such stages a link has.
+const STEPS: u64 = 500_000_000;
+/// What all stages of a link together may take: so many fifths of one.
 const STAGES: u64 = 6;
 /// The least, however much the others have cost.
-const FEWEST_STEPS: u64 = 50_000_000;
+const FEWEST_STEPS: u64 = 5_000_000;
 /// The steps of a document, of which each takes its own.
-const DOCUMENT_STEPS: u64 = 20_000_000_000;
+const DOCUMENT_STEPS: u64 = 1_000_000_000;
+/// How many steps of the engine a step of a search stands for at most, and some more for what passes.
+const SEARCH: u64 = 18;
 /// The bytes of one polynomial.
 pub(super) const BYTES: usize = 32 << 20;
 
 /// What the stages around the links of a document may cost.
 pub(crate) const WHOLE: Allowance = Allowance {
-    steps: 4 * DOCUMENT_STEPS,
-    bytes: BYTES,
+    steps: 20 * DOCUMENT_STEPS,
+    // What its links keep is its own.
+    bytes: 4 * BYTES,
 };
 
 /// The steps that a document has left.
@@ -46,6 +49,16 @@ impl Default for Pool {
     }
 }
 
+impl Pool {
+    /// The same for one of so many instances, which share it.
+    pub(crate) fn of_one_in(instances: usize) -> Self {
+        Pool {
+            steps: DOCUMENT_STEPS / instances.max(1) as u64,
+            ..Pool::default()
+        }
+    }
+}
+
 /// What was too large, in words.
 pub(crate) fn words(exhausted: Exhausted) -> &'static str {
     match exhausted {
@@ -56,44 +69,65 @@ pub(crate) fn words(exhausted: Exhausted) -> &'static str {
 }
 
 impl Checker<'_> {
-    /// What the next computation may cost.
+    /// The steps that a search may take of what the options allow: it ends by itself before the
+    /// allowance of its stage does.
+    pub(super) fn work_of_a_search(&self) -> u64 {
+        self.options.work.min(self.allowance().steps / SEARCH)
+    }
+
+    /// What the next computation may cost: a part has no more than the whole has left.
     pub(super) fn allowance(&self) -> Allowance {
+        let own = self.pool.steps.clamp(FEWEST_STEPS, STEPS);
         Allowance {
-            steps: self.pool.steps.clamp(FEWEST_STEPS, STEPS),
+            steps: own.min(allowance::steps_left()),
             bytes: BYTES,
         }
     }
 
-    /// Runs `work` under an allowance of its own. Where it is cut short the checker is as before.
+    /// Runs `work` under the allowance of one stage. Where it is cut short the checker is as before.
     ///
     /// # Errors
     /// What ran out.
     pub(crate) fn bounded<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> Result<T, Exhausted> {
+        self.bounded_by(5, work)
+    }
+
+    /// The same for all stages of a link together, or of what costs as much.
+    ///
+    /// # Errors
+    /// What ran out.
+    pub(crate) fn bounded_in_all<T>(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> T,
+    ) -> Result<T, Exhausted> {
+        self.bounded_by(STAGES, work)
+    }
+
+    fn bounded_by<T>(
+        &mut self,
+        fifths: u64,
+        work: impl FnOnce(&mut Self) -> T,
+    ) -> Result<T, Exhausted> {
         if interrupted() {
             return Err(Exhausted::Interrupted);
         }
         let nested = std::mem::replace(&mut self.pool.in_use, true);
         let mut allowed = self.allowance();
-        if !nested {
-            allowed.steps *= STAGES;
-        }
+        let whole = allowance::steps_left();
+        allowed.steps = (allowed.steps / 5 * fifths).min(whole);
         let world = self.exact.world().clone();
         let inserted = Arc::clone(&self.inserted);
         let supposed = Arc::clone(&self.supposed);
         let options = self.options;
         let noted = self.diagnostics.len();
-        let found = allowance::within(allowed, || {
-            let result = work(self);
-            (result, allowance::steps_left())
-        });
-        let left = found.as_ref().map_or(0, |(_, left)| *left);
+        let found = allowance::within(allowed, || work(self));
         self.pool.in_use = nested;
         if !nested {
-            let spent = allowed.steps - left;
+            let spent = whole.saturating_sub(allowance::steps_left());
             self.pool.steps = self.pool.steps.saturating_sub(spent);
         }
         match found {
-            Ok((result, _)) => Ok(result),
+            Ok(result) => Ok(result),
             Err(exhausted) => {
                 self.exact = self.exact.in_world(world);
                 self.inserted = inserted;

@@ -6,7 +6,7 @@
 
 use super::Checker;
 use super::identity::Decision;
-use crate::enclose::{Budget, Challenge, Comparison, Point, Points, World, challenge};
+use crate::enclose::{Budget, Challenge, Comparison, Point, Points, Shown, World, challenge};
 use crate::expr::{Display, ExprKind, Relation};
 use crate::model::links::{Link, visit};
 use crate::model::{Hypothesis, Letter};
@@ -83,8 +83,10 @@ impl<'m> Checker<'m> {
             }
             return verdict;
         };
-        let witness = self.witness_of(&shown);
-        self.contradiction = Some(Contradiction::Challenge(Box::new(witness)));
+        if shown.can_be_written() {
+            let witness = self.witness_of(&shown);
+            self.contradiction = Some(Contradiction::Challenge(Box::new(witness)));
+        }
         Verdict::Undecided {
             reason: "what was found to prove it is contradicted at a point".into(),
         }
@@ -204,7 +206,10 @@ impl<'m> Checker<'m> {
             // An equation that is false is so nearly everywhere, an inequality perhaps only somewhere.
             (budget.points, budget.tries) = (INEQUALITY_POINTS, 2 * INEQUALITY_POINTS);
         }
-        challenge(&world, equation, link, hypotheses, &budget)
+        let mut found = challenge(&world, equation, link, hypotheses, &budget);
+        // What nobody could read shows nothing.
+        found.apart = found.apart.filter(Shown::can_be_written);
+        found
     }
 
     /// Whether the sides are apart at the point of a witness by the second route; none where it has
@@ -221,8 +226,11 @@ impl<'m> Checker<'m> {
         for bits in BITS {
             match world.compare(equation, link, &point, bits, WORK) {
                 Comparison::Apart(_) => return Some(true),
-                Comparison::Overlap { narrow: true } => return Some(false),
-                Comparison::Overlap { narrow: false } => {}
+                // A small difference of large numbers shows only with more digits.
+                Comparison::Overlap { narrow: true } if Some(&bits) == BITS.last() => {
+                    return Some(false);
+                }
+                Comparison::Overlap { .. } => {}
                 Comparison::NoValue(none) if none.reason.is_imprecise() => {}
                 Comparison::NoValue(_) => return None,
             }
@@ -242,7 +250,7 @@ impl<'m> Checker<'m> {
         }
     }
 
-    fn witness_of(&self, shown: &crate::enclose::Shown) -> Witness {
+    fn witness_of(&self, shown: &Shown) -> Witness {
         let letters = shown.letters.iter().filter_map(|(symbol, order, value)| {
             let letter = self.model.letter_of_symbol(*symbol, *order)?;
             Some((letter, point_value(value)))

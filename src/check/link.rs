@@ -70,10 +70,23 @@ impl Checker<'_> {
                 reason: reason.into(),
             }
         } else if printed.role == Role::Solve {
-            self.exactly(|c| c.solved(equation))
+            let unknowns = self.model.systems.iter().enumerate();
+            let unknowns = unknowns.filter(|(_, s)| s.equation == equation);
+            let nodes = unknowns.flat_map(|(system, s)| {
+                (0..s.unknowns.len()).map(move |position| Node::Unknown { system, position })
+            });
+            self.once(nodes.collect(), |c| c.solved(equation))
         } else if let Some(definition) = printed.defines[l] {
+            // Of a family a member may be too dear and the others not.
+            let nodes = match self.model.definitions[definition].kind {
+                DefinitionKind::Family { .. } => Vec::new(),
+                DefinitionKind::Whole
+                | DefinitionKind::Power(_)
+                | DefinitionKind::ValueAt(_)
+                | DefinitionKind::Element(_) => vec![Node::Definition(definition)],
+            };
             self.misscoped(equation, link)
-                .unwrap_or_else(|| self.exactly(|c| c.definition(definition)))
+                .unwrap_or_else(|| self.once(nodes, |c| c.definition(definition)))
         } else if printed.role == Role::Define && self.is_range(equation, link) {
             Verdict::Definition {
                 what: "the range in which it is meant".into(),
@@ -104,6 +117,23 @@ impl Checker<'_> {
             let verdict = self.exactly(|c| c.claim(equation, link));
             self.second_opinion(equation, link, verdict)
         }
+    }
+
+    /// The same for what gives these nodes their values: where these are too dear, what rests on them does
+    /// not try it again.
+    fn once(&mut self, nodes: Vec<Node>, decide: impl FnOnce(&mut Self) -> Verdict) -> Verdict {
+        self.bounded(decide).unwrap_or_else(|exhausted| {
+            let what = bounded::words(exhausted);
+            let kind = FailureKind::Exhausted { what: what.into() };
+            if exhausted != Exhausted::Interrupted {
+                for node in nodes {
+                    self.has_no_value(node, kind.clone());
+                }
+            }
+            Verdict::Undecided {
+                reason: what.into(),
+            }
+        })
     }
 
     /// What the exact engine finds within its allowance: beyond it the link is undecided, and a second

@@ -148,15 +148,18 @@ pub fn check_telling<'m>(
 ) -> Result<Verdicts, Vec<Diagnostic>> {
     let mut checker = Checker::new(model, options)?;
     checker.tell = Some(tell);
+    let instances = model.instances.len();
+    checker.pool = bounded::Pool::of_one_in(instances);
     let mut verdicts = checker.run()?;
     // A correction serves all instances: one of a definition that the first has none of serves none.
     let in_definitions = verdicts.links.iter().any(|outcome| {
         matches!(&outcome.verdict, Verdict::Misprint { correction, .. } if correction.definition.is_some())
     });
-    for instance in 1..model.instances.len() {
+    for instance in 1..instances {
         let mut checker = Checker::in_instance(model, options, instance)?;
         checker.in_definitions = in_definitions;
         checker.tell = Some(tell);
+        checker.pool = bounded::Pool::of_one_in(instances);
         verdicts = instances::all(verdicts, checker.run()?);
     }
     sizes::name(model, &mut verdicts);
@@ -204,7 +207,7 @@ impl<'m> Checker<'m> {
             outcomes.extend(self.settle(equation));
         }
         let mut better = outcomes.clone();
-        let improved = self.bounded(|checker| {
+        let improved = self.bounded_in_all(|checker| {
             checker.common_definitions(&mut better);
             checker.explained_by_definitions(&mut better);
         });
@@ -288,7 +291,7 @@ impl<'m> Checker<'m> {
         self.contradiction = None;
         let mut positivity = None;
         let before = self.exact.world().correction(equation).cloned();
-        let found = self.bounded(|checker| {
+        let found = self.bounded_in_all(|checker| {
             let mut positivity = None;
             let verdict = checker.verdict(equation, l, unusable, &mut positivity);
             (verdict, checker.conditions(), positivity)

@@ -46,7 +46,7 @@ pub(crate) fn recalled_and_false(model: &Model, options: Options) -> Vec<(usize,
         return Vec::new();
     };
     let is_false = |(e, _, link): &(usize, usize, _)| {
-        let verdict = checker.bounded(|checker| checker.claim(*e, link));
+        let verdict = checker.bounded_in_all(|checker| checker.claim(*e, link));
         matches!(verdict, Ok(Verdict::Refuted(_)))
     };
     let found: Vec<_> = tried.into_iter().filter(is_false).collect();

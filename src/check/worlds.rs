@@ -139,7 +139,7 @@ impl<'m> Checker<'m> {
         let term = self.exact.field.bytes_of_a_term();
         let bytes =
             |f: &RationalFunction| term.saturating_mul(f.numerator().len() + f.denominator().len());
-        let inserting = world.clone().inserting();
+        let mut inserting = world.clone().inserting();
         let mut expanding = self.exact.in_world(inserting.clone());
         for (letter, kind) in model.letters.iter().enumerate() {
             let Letter::Abbreviation { definition } = kind else {
@@ -150,9 +150,12 @@ impl<'m> Checker<'m> {
             let value = || expanding.value_of((node, Vec::new(), 0), span);
             let found = allowance::within(self.allowance(), value);
             let found = found.unwrap_or_else(|exhausted| {
-                expanding = self.exact.in_world(inserting.clone());
                 let what = bounded::words(exhausted).into();
-                Err(Failure::new(FailureKind::Exhausted { what }, span))
+                let kind = FailureKind::Exhausted { what };
+                // What rests on it does not try it again.
+                inserting = inserting.clone().without(node, kind.clone());
+                expanding = self.exact.in_world(inserting.clone());
+                Err(Failure::new(kind, span))
             });
             match found {
                 // All of them are kept as long as the checker is.

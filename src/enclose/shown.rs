@@ -7,6 +7,9 @@ use crate::model::Model;
 use crate::real::decimal::complex_digits;
 use crate::real::{Complex, Real};
 
+/// The most binary digits of a number that is written.
+const LONGEST: u64 = 1 << 16;
+
 /// What a link's sides are at a point.
 #[derive(Clone, Debug)]
 pub enum Comparison {
@@ -55,6 +58,17 @@ impl Shown {
     /// Both sides, exact or with digits that are proved: as many as there are up to `digits`.
     pub fn sides(&self, digits: usize) -> [String; 2] {
         [shown(&self.left, digits), shown(&self.right, digits)]
+    }
+
+    /// Whether all its numbers have so few digits that they can be written.
+    pub fn can_be_written(&self) -> bool {
+        let matrix = self.matrix.iter().flat_map(Matrix::iter);
+        let sides = [&self.left, &self.right].into_iter().chain(matrix);
+        let letters = self.letters.iter().map(|(_, _, z)| z);
+        sides.chain(letters).all(|z| {
+            let mut parts = [&z.re, &z.im].into_iter();
+            parts.all(|x| x.length() <= LONGEST)
+        })
     }
 
     /// Whether every letter of the point has a rational value.

@@ -66,7 +66,7 @@ impl<D: Domain> Evaluator<'_, D> {
                 None => failure,
             });
         }
-        let Ok(Value::Scalar(power)) = self.expression(exponent) else {
+        let Value::Scalar(power) = self.expression(exponent)? else {
             return Err(failure);
         };
         if let ExprKind::Name(name) = &base.kind

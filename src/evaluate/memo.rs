@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The most bytes of values that are kept: then they are forgotten, and computed again where they are needed.
-const MOST_KEPT: usize = 64 << 20;
+const MOST_KEPT: usize = 32 << 20;
 
 /// A value with the conditions under which it exists.
 #[derive(Debug)]

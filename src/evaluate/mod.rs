@@ -38,7 +38,7 @@ use ratpoly::{RationalFunction, allowance};
 use std::collections::BTreeSet;
 
 /// The largest exponent that is evaluated.
-pub const LARGEST_EXPONENT: u32 = 1000;
+pub const LARGEST_EXPONENT: u32 = 10_000;
 /// The largest number of terms that a sum with running index is evaluated for.
 const LARGEST_RANGE: i64 = 10_000;
 /// The longest chain of definitions that need each other.

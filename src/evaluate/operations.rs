@@ -117,17 +117,14 @@ impl<D: Domain> Evaluator<'_, D> {
         exponent: &Expr,
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
+        // It costs what stands in it, and no other place of the document.
         let too_large = || {
-            Failure::new(
-                FailureKind::Exponent {
-                    exponent: crate::latex::write_expr(exponent),
-                    limit: LARGEST_EXPONENT,
-                },
-                exponent.span,
-            )
+            let what = format!("factors: an exponent above {LARGEST_EXPONENT}");
+            Failure::new(FailureKind::Budget { what }, exponent.span)
         };
         let n = match self.integer(exponent) {
             Ok(n) => n,
+            Err(_) if exceeds_all_integers(exponent) => return Err(too_large()),
             Err(failure) => return self.general_power(base, exponent, failure),
         };
         let magnitude = u32::try_from(n.unsigned_abs())
@@ -182,9 +179,16 @@ impl<D: Domain> Evaluator<'_, D> {
                     m
                 };
                 let one = arithmetic::identity(&self.field, factor.rows());
-                let (mut product, factor) = (Value::Matrix(one), Value::Matrix(factor));
-                for _ in 0..magnitude {
-                    product = self.multiply(&product, &factor, span)?;
+                let (mut product, mut factor) = (Value::Matrix(one), Value::Matrix(factor));
+                let mut rest = magnitude;
+                while rest > 0 {
+                    if rest & 1 == 1 {
+                        product = self.multiply(&product, &factor, span)?;
+                    }
+                    rest >>= 1;
+                    if rest > 0 {
+                        factor = self.multiply(&factor, &factor, span)?;
+                    }
                 }
                 Ok(product)
             }
@@ -224,6 +228,20 @@ impl<D: Domain> Evaluator<'_, D> {
             )
         })
     }
+}
+
+/// Whether an exponent is an integer, and too large for one.
+fn exceeds_all_integers(exponent: &Expr) -> bool {
+    let mut whole = true;
+    crate::model::links::visit(exponent, &mut |e| {
+        whole &= match &e.kind {
+            ExprKind::Number(n) => n.is_integer(),
+            ExprKind::Group { .. } | ExprKind::Sum(_) => true,
+            ExprKind::Product(_) | ExprKind::Power { .. } => true,
+            _ => false,
+        };
+    });
+    whole
 }
 
 /// The place of a product up to and including a factor.

@@ -24,6 +24,7 @@ use crate::evaluate::Evaluator;
 use crate::model::Model;
 use crate::unit::Units;
 use crate::verdict::Outcome;
+use ratpoly::allowance::{self, Allowance};
 
 /// A figure with all its numbers.
 #[derive(Clone, Debug)]
@@ -77,6 +78,16 @@ impl Figure {
     }
 }
 
+/// What a figure may cost, and what the search for an optimum in it: without one it is still drawn.
+const LARGEST: Allowance = Allowance {
+    steps: 300_000_000,
+    bytes: 32 << 20,
+};
+const OPTIMUM: Allowance = Allowance {
+    steps: 100_000_000,
+    ..LARGEST
+};
+
 /// What figures are made from: the model, its equations as corrected, the units of its names.
 pub(crate) struct Source<'m> {
     pub model: &'m Model,
@@ -125,7 +136,12 @@ pub fn figures(
     let mut figures = Vec::new();
     let mut report = Vec::new();
     for written in &model.document.figures {
-        let content = match content(&mut source, written) {
+        let drawn = allowance::within(LARGEST, || content(&mut source, written));
+        let drawn = drawn.unwrap_or_else(|exhausted| {
+            source.exact = check::corrected(model, outcomes);
+            Err(Obstacle::Beyond(check::bounded::words(exhausted).into()))
+        });
+        let content = match drawn {
             Ok(content) => Ok(content),
             Err(Obstacle::Beyond(why)) => Err(why),
             Err(Obstacle::Wrong(diagnostic)) => {

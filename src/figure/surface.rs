@@ -1,7 +1,7 @@
 //! A quantity over two letters around the reference point, with its optimum.
 
 use super::points::{Quantity, reference, symbol};
-use super::{Column, Obstacle, Source, Table, grid};
+use super::{Column, OPTIMUM, Obstacle, Source, Table, grid};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::figure::{Extremum, Surface as Written};
 use crate::latex;
@@ -9,7 +9,7 @@ use crate::model::Letter;
 use crate::theory::extremum::{self, Place, Unknown};
 use num_rational::BigRational;
 use num_traits::{One, Signed};
-use ratpoly::RationalFunction;
+use ratpoly::{RationalFunction, allowance};
 
 /// One of the two letters.
 #[derive(Clone, Debug)]
@@ -228,7 +228,8 @@ fn marks(
         Extremum::Minimum => f.clone(),
         Extremum::Maximum => -f,
     };
-    let turned = |place: Result<Place, Unknown>| {
+    let turned = |search: &dyn Fn() -> Result<Place, Unknown>| {
+        let place = allowance::within(OPTIMUM, search).unwrap_or(Err(Unknown::Limit));
         place.map(|mut place| {
             if kind == Extremum::Maximum {
                 place.value = (-place.value.1, -place.value.0);
@@ -239,7 +240,7 @@ fn marks(
     let ranges = written.axes.each_ref().map(|axis| (&axis.low, &axis.high));
     let mut marks = vec![Mark {
         kind: MarkKind::Optimum(kind),
-        place: turned(extremum::on_rectangle(&f, letters, ranges)),
+        place: turned(&|| extremum::on_rectangle(&f, letters, ranges)),
     }];
     for axis in 0..2 {
         let one = RationalFunction::one(f.ring());
@@ -248,7 +249,7 @@ fn marks(
         };
         marks.push(Mark {
             kind: MarkKind::Section(axis, kind),
-            place: turned(extremum::on_half_line(&section, letters[axis])),
+            place: turned(&|| extremum::on_half_line(&section, letters[axis])),
         });
     }
     marks

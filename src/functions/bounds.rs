@@ -11,41 +11,71 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use ratpoly::RationalFunction;
+use std::collections::BTreeSet;
 
 /// Binary digits of the ends around a number.
 const DIGITS: u32 = 60;
 
+/// The letters of an element, without those inside of the arguments of functions.
+fn letters_in(f: &RationalFunction) -> Vec<usize> {
+    let mut letters = f.numerator().variables_occurring();
+    letters.extend(f.denominator().variables_occurring());
+    letters
+}
+
 impl FunctionTable {
     /// Whether an element is known to be real wherever it has a value.
     pub fn is_real(&self, f: &RationalFunction) -> bool {
-        let real = |p: &ratpoly::Polynomial| {
-            let letters = p.variables_occurring();
-            letters.into_iter().all(|l| self.is_real_letter(l))
-        };
-        real(f.numerator()) && real(f.denominator())
+        self.are_real(letters_in(f))
     }
 
     /// Whether a letter stands for real numbers and nothing else.
     pub(crate) fn is_real_letter(&self, letter: usize) -> bool {
-        if letter < self.first {
-            return self.ranges[letter].numbers != Numbers::Complex;
-        }
-        match self.meaning(letter) {
-            Some(FunctionLetter::Pi | FunctionLetter::Bound { .. }) => true,
-            None | Some(FunctionLetter::ImaginaryUnit | FunctionLetter::Dirac(_)) => false,
-            Some(
-                FunctionLetter::Exponential(u)
-                | FunctionLetter::Cosine(u)
-                | FunctionLetter::Sine(u, _),
-            ) => self.is_real(&u),
-            Some(FunctionLetter::Root(p)) => self
-                .known_sign(&p.into())
-                .is_some_and(Sign::is_not_negative),
-            Some(FunctionLetter::Logarithm(p)) => self.is_positive(&p.into()),
-            Some(FunctionLetter::Power(base, exponent)) => {
-                self.is_real(&exponent) && self.is_positive(&base.into())
+        self.are_real(vec![letter])
+    }
+
+    /// Whether all these letters do: each is looked at once, however often it stands in arguments.
+    fn are_real(&self, mut open: Vec<usize>) -> bool {
+        let mut seen: BTreeSet<usize> = open.iter().copied().collect();
+        while let Some(letter) = open.pop() {
+            if letter < self.first {
+                if self.ranges[letter].numbers == Numbers::Complex {
+                    return false;
+                }
+                continue;
             }
+            let argument = match self.meaning(letter) {
+                Some(FunctionLetter::Pi | FunctionLetter::Bound { .. }) => continue,
+                None | Some(FunctionLetter::ImaginaryUnit | FunctionLetter::Dirac(_)) => {
+                    return false;
+                }
+                Some(
+                    FunctionLetter::Exponential(u)
+                    | FunctionLetter::Cosine(u)
+                    | FunctionLetter::Sine(u, _),
+                ) => u,
+                Some(FunctionLetter::Root(p)) => {
+                    let sign = self.known_sign(&p.into());
+                    match sign.is_some_and(Sign::is_not_negative) {
+                        true => continue,
+                        false => return false,
+                    }
+                }
+                Some(FunctionLetter::Logarithm(p)) => match self.is_positive(&p.into()) {
+                    true => continue,
+                    false => return false,
+                },
+                Some(FunctionLetter::Power(base, exponent)) => {
+                    match self.is_positive(&base.into()) {
+                        true => exponent,
+                        false => return false,
+                    }
+                }
+            };
+            let inside = letters_in(&argument).into_iter();
+            open.extend(inside.filter(|l| seen.insert(*l)));
         }
+        true
     }
 
     /// Whether a letter is known to be positive.

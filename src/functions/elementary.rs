@@ -10,7 +10,7 @@ use crate::expr::Function;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
-use ratpoly::{Budget, Polynomial, RationalFunction};
+use ratpoly::{Budget, Polynomial, RationalFunction, allowance};
 
 /// The largest multiple of an angle and the largest power of a letter that are worked out.
 pub(super) const LARGEST_MULTIPLE: i64 = 64;
@@ -270,6 +270,7 @@ pub(super) fn prime_factors(n: &BigInt) -> Possible<Vec<(BigInt, i64)>> {
             found.push((rest.clone(), 1));
             break;
         }
+        allowance::spend(2 + rest.bits() / 32);
         let p = BigInt::from(prime);
         let mut multiplicity = 0;
         while (&rest % &p).is_zero() {

@@ -10,7 +10,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use ratpoly::{Polynomial, RationalFunction};
+use ratpoly::{Polynomial, RationalFunction, allowance};
+use std::collections::BTreeMap;
 
 /// Binary digits that end points keep.
 const BITS: i64 = 320;
@@ -18,6 +19,9 @@ const BITS: i64 = 320;
 const TAIL: usize = 330;
 /// Arguments beyond this are not enclosed.
 const LARGEST_ARGUMENT: i64 = 100_000;
+
+/// What an operation on intervals counts in the steps of an allowance.
+const OPERATION: u64 = 1_000;
 
 /// All numbers from `low` to `high`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,6 +72,7 @@ impl Interval {
     }
 
     fn add(&self, other: &Self) -> Self {
+        allowance::spend(OPERATION);
         Interval::outwards(&(&self.low + &other.low), &(&self.high + &other.high))
     }
 
@@ -79,6 +84,7 @@ impl Interval {
     }
 
     fn multiply(&self, other: &Self) -> Self {
+        allowance::spend(OPERATION);
         let products = [
             &self.low * &other.low,
             &self.low * &other.high,
@@ -278,6 +284,9 @@ fn between(x: &Interval, f: impl Fn(&BigRational) -> Option<Interval>) -> Option
     Some(Interval::outwards(&f(&x.low)?.low, &f(&x.high)?.high))
 }
 
+/// The values of letters at a point, each computed once however often it stands in arguments.
+type Known = BTreeMap<usize, Interval>;
+
 impl FunctionTable {
     /// An interval that contains the value of a real element at a point where letters have rational
     /// values; `None` where it has none or the interval would be unbounded.
@@ -286,27 +295,47 @@ impl FunctionTable {
         f: &RationalFunction,
         point: &[Option<BigRational>],
     ) -> Option<Interval> {
-        let above = self.enclosed(f.numerator(), point)?;
-        let below = self.enclosed(f.denominator(), point)?;
+        self.enclosed_function(f, point, &mut BTreeMap::new())
+    }
+
+    fn enclosed_function(
+        &self,
+        f: &RationalFunction,
+        point: &[Option<BigRational>],
+        known: &mut Known,
+    ) -> Option<Interval> {
+        let above = self.enclosed(f.numerator(), point, known)?;
+        let below = self.enclosed(f.denominator(), point, known)?;
         Some(above.multiply(&below.inverse()?))
     }
 
-    fn enclosed(&self, p: &Polynomial, point: &[Option<BigRational>]) -> Option<Interval> {
+    fn enclosed(
+        &self,
+        p: &Polynomial,
+        point: &[Option<BigRational>],
+        known: &mut Known,
+    ) -> Option<Interval> {
         let letters = p.variables_occurring();
-        let mut values: Vec<Option<Interval>> = vec![None; self.ring.len()];
         for letter in &letters {
-            values[*letter] = Some(match self.meaning(*letter) {
-                Some(function) => self.enclosed_letter(&function, point)?,
-                None => Interval::point(point.get(*letter)?.clone()?),
-            });
+            if !known.contains_key(letter) {
+                let value = match self.meaning(*letter) {
+                    Some(function) => self.enclosed_letter(&function, point, known)?,
+                    None => Interval::point(point.get(*letter)?.clone()?),
+                };
+                known.insert(*letter, value);
+            }
         }
+        let mut powers: BTreeMap<(usize, u32), Interval> = BTreeMap::new();
         let mut sum = Interval::point(BigRational::zero());
         for (monomial, coefficient) in p.terms() {
             let mut term = Interval::point(BigRational::from_integer(coefficient));
             for letter in &letters {
                 let exponent = monomial.exponents()[*letter];
-                if let (true, Some(value)) = (exponent > 0, &values[*letter]) {
-                    term = term.multiply(&value.power(exponent));
+                if let (true, Some(value)) = (exponent > 0, known.get(letter)) {
+                    let power = powers
+                        .entry((*letter, exponent))
+                        .or_insert_with(|| value.power(exponent));
+                    term = term.multiply(power);
                 }
             }
             sum = sum.add(&term);
@@ -318,12 +347,15 @@ impl FunctionTable {
         &self,
         function: &FunctionLetter,
         point: &[Option<BigRational>],
+        known: &mut Known,
     ) -> Option<Interval> {
         match function {
             FunctionLetter::Pi => Some(pi()),
-            FunctionLetter::Exponential(u) => between(&self.enclosure(u, point)?, exponential),
+            FunctionLetter::Exponential(u) => {
+                between(&self.enclosed_function(u, point, known)?, exponential)
+            }
             FunctionLetter::Cosine(u) | FunctionLetter::Sine(u, _) => {
-                let angle = self.enclosure(u, point)?;
+                let angle = self.enclosed_function(u, point, known)?;
                 // The derivative is at most one.
                 let width = &angle.high - &angle.low;
                 let (cosine, sine) = cosine_and_sine(&angle.middle())?;
@@ -333,12 +365,12 @@ impl FunctionTable {
                 };
                 Some(widened(&value, &width))
             }
-            FunctionLetter::Root(p) => between(&self.enclosed(p, point)?, square_root),
-            FunctionLetter::Logarithm(p) => between(&self.enclosed(p, point)?, logarithm),
+            FunctionLetter::Root(p) => between(&self.enclosed(p, point, known)?, square_root),
+            FunctionLetter::Logarithm(p) => between(&self.enclosed(p, point, known)?, logarithm),
             FunctionLetter::Power(base, exponent) => {
-                let logarithm = between(&self.enclosed(base, point)?, logarithm)?;
-                let product = logarithm.multiply(&self.enclosure(exponent, point)?);
-                between(&product, exponential)
+                let logarithm = between(&self.enclosed(base, point, known)?, logarithm)?;
+                let exponent = self.enclosed_function(exponent, point, known)?;
+                between(&logarithm.multiply(&exponent), exponential)
             }
             FunctionLetter::ImaginaryUnit
             | FunctionLetter::Dirac(_)

@@ -168,6 +168,9 @@ pub trait Functions<E> {
     fn depends_on_bound(&self, element: &E) -> bool;
 }
 
+/// What a look at the meaning of a letter counts in the steps of an allowance: its argument is copied.
+const MEANING: u64 = 40;
+
 /// Which letters of a ring stand for which functions.
 #[derive(Clone, Debug)]
 pub struct FunctionTable {
@@ -254,6 +257,7 @@ impl FunctionTable {
     /// What a letter of the ring stands for, if it is a function.
     pub fn meaning(&self, letter: usize) -> Option<FunctionLetter> {
         let place = letter.checked_sub(self.first)?;
+        allowance::spend(MEANING);
         self.lock().letters.get(place).cloned()
     }
 

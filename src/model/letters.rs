@@ -144,6 +144,13 @@ fn plain_name(symbols: &[Symbol], letter: &Letter) -> String {
     }
 }
 
+/// What was found out about definitions, each of which is looked at once.
+#[derive(Default)]
+struct Seen {
+    positive: BTreeMap<usize, bool>,
+    complex: BTreeMap<usize, bool>,
+}
+
 impl Model {
     /// Finds the abbreviations and gives each a letter of the ring.
     pub(super) fn name_abbreviations(&mut self) {
@@ -191,9 +198,10 @@ impl Model {
         }
         let reserved = |l: &Letter| matches!(l, Letter::Function { .. });
         if self.letters.iter().any(reserved) {
+            let mut seen = Seen::default();
             let ranges = (0..self.letters.len())
                 .filter(|l| !reserved(&self.letters[*l]))
-                .map(|l| self.range_of(l))
+                .map(|l| self.range_among(l, &mut seen))
                 .collect();
             let table = FunctionTable::new(self.ring, ranges);
             let dirac = |n: &Notation| matches!(n.kind, NotationKind::Dirac);
@@ -206,6 +214,10 @@ impl Model {
 
     /// Which numbers a letter of the ring stands for, as far as declarations tell.
     pub(crate) fn range_of(&self, letter: usize) -> Range {
+        self.range_among(letter, &mut Seen::default())
+    }
+
+    fn range_among(&self, letter: usize, seen: &mut Seen) -> Range {
         match &self.letters[letter] {
             Letter::Symbol { symbol, order: 0 } => self.symbols[*symbol].range.clone(),
             // The derivative of a positive process has any sign, that of a complex one any value.
@@ -216,38 +228,50 @@ impl Model {
                 },
                 Numbers::Real | Numbers::Integer => Range::default(),
             },
-            Letter::Abbreviation { definition } => self.range_of_definition(*definition),
+            Letter::Abbreviation { definition } => self.range_of_definition(*definition, seen),
             Letter::Function { .. } => Range::default(),
         }
     }
 
     /// The values of an abbreviation: positive where it is put together from positive parts, complex
     /// where a part is.
-    fn range_of_definition(&self, d: usize) -> Range {
-        if self.is_positive_definition(d, &mut BTreeMap::new()) {
+    fn range_of_definition(&self, d: usize, seen: &mut Seen) -> Range {
+        if self.is_positive_definition(d, &mut seen.positive) {
             return Range::positive();
+        }
+        Range {
+            numbers: match self.is_complex_definition(d, &mut seen.complex) {
+                true => Numbers::Complex,
+                false => Range::default().numbers,
+            },
+            ..Range::default()
+        }
+    }
+
+    /// Whether an abbreviation has a complex part; each is looked at once, however often it occurs.
+    fn is_complex_definition(&self, d: usize, seen: &mut BTreeMap<usize, bool>) -> bool {
+        if let Some(known) = seen.get(&d) {
+            return *known;
         }
         let definition = &self.definitions[d];
         let display = &self.equations[definition.equation].display;
-        let mut range = Range::default();
+        let mut complex = false;
         if let Some(value) = definition.place.find(display) {
             links::visit(value, &mut |e| {
                 let ExprKind::Name(name) = &e.kind else {
                     return;
                 };
-                let numbers = match self.names.whole.get(&latex::canonical(name)) {
-                    Some(Node::Symbol(s)) => self.symbols[*s].range.numbers,
-                    Some(Node::Definition(other)) if *other < d => {
-                        self.range_of_definition(*other).numbers
+                complex |= match self.names.whole.get(&latex::canonical(name)) {
+                    Some(Node::Symbol(s)) => self.symbols[*s].range.numbers == Numbers::Complex,
+                    Some(Node::Definition(other)) => {
+                        *other < d && self.is_complex_definition(*other, seen)
                     }
-                    _ => Numbers::Real,
+                    _ => false,
                 };
-                if numbers == Numbers::Complex {
-                    range.numbers = Numbers::Complex;
-                }
             });
         }
-        range
+        seen.insert(d, complex);
+        complex
     }
 
     /// Whether an abbreviation is put together from positive parts without a minus sign; each is looked at

@@ -20,7 +20,7 @@ use num_traits::ToPrimitive;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The largest exponent that is evaluated.
-const LARGEST_EXPONENT: i64 = 1000;
+const LARGEST_EXPONENT: i64 = 10_000;
 /// The largest number of terms of a sum with a running index.
 const LARGEST_RANGE: i64 = 10_000;
 

@@ -251,6 +251,25 @@ impl Dyadic {
         }
     }
 
+    /// How it compares with a rational number; where their sizes tell, nothing long is formed.
+    pub fn compared_with(&self, x: &BigRational) -> Ordering {
+        let sign = |positive: bool, negative: bool| i8::from(positive) - i8::from(negative);
+        let own = sign(self.is_positive(), self.is_negative());
+        let other = sign(x.is_positive(), x.is_negative());
+        if own != other || own == 0 {
+            return own.cmp(&other);
+        }
+        let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX / 4);
+        // 2^(size - 1) < |x| < 2^(size + 1).
+        let size = bits(x.numer()) - bits(x.denom());
+        let larger = match self.magnitude() {
+            Some(own) if own - 1 > size => Ordering::Greater,
+            Some(own) if own < size - 1 => Ordering::Less,
+            _ => return self.to_rational().cmp(x),
+        };
+        if own > 0 { larger } else { larger.reverse() }
+    }
+
     /// The largest integer not above `x * 2^places`.
     pub fn fixed(&self, places: i64) -> BigInt {
         let shift = self.exponent + places;

@@ -83,7 +83,8 @@ impl Interval {
 
     /// Whether a rational number is among them.
     pub fn contains(&self, x: &BigRational) -> bool {
-        self.low.to_rational() <= *x && *x <= self.high.to_rational()
+        self.low.compared_with(x) != Ordering::Greater
+            && self.high.compared_with(x) != Ordering::Less
     }
 
     /// Whether the two have no number in common.

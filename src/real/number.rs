@@ -125,9 +125,9 @@ impl Real {
         match (self, other) {
             (Real::Exact(a), Real::Exact(b)) => Some(a.cmp(b)),
             (Real::Exact(a), Real::Enclosed(b)) => {
-                if *a < b.low().to_rational() {
+                if b.low().compared_with(a) == Ordering::Greater {
                     Some(Ordering::Less)
-                } else if *a > b.high().to_rational() {
+                } else if b.high().compared_with(a) == Ordering::Less {
                     Some(Ordering::Greater)
                 } else {
                     None
@@ -162,6 +162,18 @@ impl Real {
             Real::Enclosed(x) => [x.low(), x.high()]
                 .into_iter()
                 .all(|end| end.magnitude().is_none_or(|m| m.abs() < LARGEST_MAGNITUDE)),
+        }
+    }
+
+    /// About how many binary digits it takes to write it before and after the point.
+    pub fn length(&self) -> u64 {
+        match self {
+            Real::Exact(x) => x.numer().bits().max(x.denom().bits()),
+            Real::Enclosed(x) => {
+                let ends = [x.low(), x.high()].into_iter();
+                let sizes = ends.filter_map(|end| end.magnitude());
+                sizes.map(i64::unsigned_abs).max().unwrap_or(0)
+            }
         }
     }
 

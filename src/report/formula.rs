@@ -46,6 +46,11 @@ struct Factors {
     factors: Vec<(Polynomial, u32)>,
 }
 
+/// The most terms of a polynomial that is factored to be shown.
+const LONGEST_FACTORED: usize = 1_000;
+/// Terms, bits and steps that this may take: a report is printed at once.
+const FACTORING: (usize, u64, u64) = (20_000, 20_000, 10_000_000);
+
 /// A polynomial in irreducible factors; by its contents only where factoring is out of reach.
 fn factors(p: &Polynomial) -> Factors {
     let variables = p.ring().len();
@@ -57,7 +62,11 @@ fn factors(p: &Polynomial) -> Factors {
     if p.is_zero() {
         return parts;
     }
-    let Ok(found) = p.factor_within(&Budget::default()) else {
+    if p.len() > LONGEST_FACTORED {
+        return by_contents(p);
+    }
+    let (terms, bits, steps) = FACTORING;
+    let Ok(found) = p.factor_within(&Budget::new(terms, bits, steps)) else {
         return by_contents(p);
     };
     parts.content = found.content;

@@ -244,6 +244,10 @@ pub fn in_vain(searched: &Searched) -> String {
     } = searched;
     let far = match searched.ended {
         None => format!(" among {tried} tried"),
+        Some(Ended::Candidates | Ended::Work) if *tried == 0 => {
+            ": it is too dear to search for one".into()
+        }
+        Some(Ended::Interrupted) if *tried == 0 => ": the search was interrupted".into(),
         Some(Ended::Candidates | Ended::Work) => {
             format!(": the budget was reached after {tried} of {of} candidates")
         }
@@ -454,9 +458,13 @@ fn inline(value: &num_rational::BigRational) -> String {
 
 /// A rational number inside a line; a very long one by its size.
 pub fn exact(value: &num_rational::BigRational) -> Prose {
-    let text = inline(value);
-    if text.len() <= 36 {
-        return Prose::new().formula(text.clone(), text);
+    // What is longer than that in binary is so in decimal digits.
+    let bits = value.numer().bits() + value.denom().bits();
+    if bits <= 128 {
+        let text = inline(value);
+        if text.len() <= 36 {
+            return Prose::new().formula(text.clone(), text);
+        }
     }
     match crate::numeric::agreement::nearest(value) {
         Some(double) => {
@@ -467,7 +475,12 @@ pub fn exact(value: &num_rational::BigRational) -> Prose {
             };
             Prose::new().formula(format!("{latex}\\ldots"), format!("{text}..."))
         }
-        None => Prose::of(format!("a number of {} digits", text.len())),
+        None => {
+            // 30103/100000 is log10 2.
+            let digits = |n: &num_bigint::BigInt| 1 + n.bits() * 30_103 / 100_000;
+            let long = digits(value.numer()).max(digits(value.denom()));
+            Prose::of(format!("a number of about {long} digits"))
+        }
     }
 }
 

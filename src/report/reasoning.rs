@@ -69,6 +69,9 @@ pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Bl
                 Some(Searched { budget: 0, .. }) => {
                     "No correction: the budget is empty.".to_string()
                 }
+                Some(searched) if searched.tried == 0 => {
+                    format!("No correction{}.", super::reason::in_vain(&searched))
+                }
                 Some(searched) => format!(
                     "No correction{}. Tried were single edits, repeated slips, pairs of edits, and \
                      edits of what it rests on (the budget was {}).",

@@ -3,7 +3,8 @@
 //! Expansion column by column with every minor computed once, addressed by the set of its rows:
 //! division-free, so that no condition arises, and the cheapest known way for the sparse matrices
 //! of symbols that stability theory writes down (Gentleman & Johnson 1976 compare it with
-//! elimination). Orders above twelve go by elimination.
+//! elimination). Orders above twelve go by elimination, and so do matrices of numbers, whose quotients are no
+//! longer than they are.
 
 use super::linear::eliminate;
 use crate::domain::Domain;
@@ -19,7 +20,7 @@ pub fn determinant<D: Domain>(field: &D, matrix: &Matrix<D::Element>) -> Option<
         return None;
     }
     let n = matrix.rows();
-    if n > LARGEST_EXPANSION {
+    if n > LARGEST_EXPANSION || field.is_of_numbers() && n > 3 {
         return Some(eliminate(field, matrix.clone()));
     }
     let mut minors: Vec<Option<D::Element>> = vec![None; 1 << n];

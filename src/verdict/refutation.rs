@@ -261,8 +261,16 @@ impl PointValue {
         }
     }
 
-    /// The digits that are certain, such as `3.14159...`; none where it is a fraction itself.
+    /// The digits that are certain, such as `3.14159...`; none where it is a fraction itself. What is very
+    /// large is told by powers of two between which it lies.
     pub fn digits(low: &BigRational, high: &BigRational, most: usize) -> String {
+        let sizes = [low, high].map(|end| {
+            let whole = end.to_integer();
+            whole.magnitude().bits()
+        });
+        if sizes.iter().any(|bits| *bits > LONGEST) {
+            return between_powers(low, high, sizes);
+        }
         for digits in (0..=most).rev() {
             let scale = num_traits::pow(BigRational::from_integer(10.into()), digits);
             let (from, to) = ((low * &scale).trunc(), (high * &scale).trunc());
@@ -293,8 +301,36 @@ impl PointValue {
             let sign = if middle.is_negative() { "-" } else { "" };
             return format!("{sign}{whole}.{decimals} ± 10^-{most}");
         }
-        format!("between {low} and {high}")
+        // Where these have many digits themselves, numbers around them that have fewer.
+        if [low, high].iter().all(|q| q.denom().bits() <= LONGEST / 4) {
+            return format!("between {low} and {high}");
+        }
+        let wide = |end: &BigRational| (end * &scale).floor().to_integer();
+        let [from, to] =
+            [wide(low), wide(high) + 1].map(|n| BigRational::new(n, scale.to_integer()));
+        format!("between {from} and {to}")
     }
+}
+
+/// How many binary digits a number may have that is written out.
+const LONGEST: u64 = 256;
+
+/// Powers of two between which a number lies whose ends have so many binary digits before the point.
+fn between_powers(low: &BigRational, high: &BigRational, sizes: [u64; 2]) -> String {
+    let outer = |bits: u64| format!("2^{bits}");
+    let inner = |bits: u64, sign: &str| match bits.checked_sub(1) {
+        Some(bits) => format!("{sign}2^{bits}"),
+        None => "0".into(),
+    };
+    let from = match low.is_negative() {
+        true => format!("-{}", outer(sizes[0])),
+        false => inner(sizes[0], ""),
+    };
+    let to = match high.is_negative() {
+        true => inner(sizes[1], "-"),
+        false => outer(sizes[1]),
+    };
+    format!("between {from} and {to}")
 }
 
 /// A point with the values of both sides there.

@@ -27,7 +27,7 @@ impl Polynomial {
             2 => single::<Packed<4>>(ring, value),
             _ => single::<Wide>(ring, value),
         };
-        Polynomial { ring, terms }
+        Polynomial::of(ring, terms)
     }
 
     /// A polynomial of one term, or zero.
@@ -47,10 +47,7 @@ impl Polynomial {
             2 => single(Packed::<4>::pack(layout, exponents), &value, ring),
             _ => single(Wide::pack(layout, exponents), &value, ring),
         });
-        Polynomial {
-            ring,
-            terms: terms.expect("the last layout holds all exponents"),
-        }
+        Polynomial::of(ring, terms.expect("the last layout holds all exponents"))
     }
 
     /// The sum of the given terms, in any order, repeated monomials allowed.
@@ -92,7 +89,7 @@ impl Polynomial {
             if let Some(terms) = terms {
                 // A term that cancelled may have asked for the wide layout.
                 let terms = each_layout!(terms, list => list.into_terms(ring));
-                return Polynomial { ring, terms };
+                return Polynomial::of(ring, terms);
             }
         }
         unreachable!("the last layout holds all exponents")

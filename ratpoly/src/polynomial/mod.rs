@@ -9,6 +9,7 @@ mod one_variable;
 
 pub(crate) use one_variable::check_dense_degree;
 
+use crate::allowance::Held;
 use crate::coefficient::{Coefficient, Value};
 use crate::error::Error;
 use crate::layout::Layout;
@@ -25,15 +26,21 @@ use std::cmp::Ordering;
 pub struct Polynomial {
     pub(crate) ring: Ring,
     pub(crate) terms: Terms,
+    /// What it takes of the memory that its thread may use.
+    held: Held,
 }
 
 impl Polynomial {
+    /// A polynomial with these terms.
+    #[inline]
+    pub(crate) fn of(ring: Ring, terms: Terms) -> Self {
+        let held = Held::new(terms.bytes());
+        Polynomial { ring, terms, held }
+    }
+
     /// The zero polynomial.
     pub fn zero(ring: Ring) -> Self {
-        Polynomial {
-            ring,
-            terms: Terms::zero(ring),
-        }
+        Polynomial::of(ring, Terms::zero(ring))
     }
 
     /// The polynomial 1.
@@ -211,10 +218,7 @@ impl Polynomial {
     /// A polynomial of this ring with other terms.
     #[inline]
     pub(crate) fn with<M: PackedMonomial>(&self, list: TermList<M>) -> Polynomial {
-        Polynomial {
-            ring: self.ring,
-            terms: list.into_terms(self.ring),
-        }
+        Polynomial::of(self.ring, list.into_terms(self.ring))
     }
 
     /// Applies a map that sends nonzero coefficients to nonzero coefficients; `None` if it fails.

@@ -58,6 +58,9 @@ const SUBJECT: u32 = 60;
 /// How many nodes all edits of an equation put in together, at most.
 const ROOM: usize = 120_000;
 
+/// From how many terms on a sum is not copied for each of its edits.
+const LONG: usize = 64;
+
 /// What the classes look at.
 pub(super) struct Scene<'a> {
     pub display: &'a Display,

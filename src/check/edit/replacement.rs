@@ -66,6 +66,8 @@ impl Change {
                 let (from, to, end) = run(before, &after);
                 after.truncate(end);
                 after.drain(..from);
+                // Otherwise it takes the room of all that was there.
+                after.shrink_to_fit();
                 Change::Terms {
                     from,
                     to,
@@ -76,6 +78,8 @@ impl Change {
                 let (from, to, end) = run(before, &after);
                 after.truncate(end);
                 after.drain(..from);
+                // Otherwise it takes the room of all that was there.
+                after.shrink_to_fit();
                 Change::Factors {
                     from,
                     to,
@@ -254,4 +258,30 @@ fn differing(old: &Expr, new: &ExprKind) -> (Expr, Expr) {
         build::sum(terms, span)
     };
     (part(before), part(after))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::span::Span;
+
+    /// The edits of a sum together are about as long as it is, in memory too.
+    #[test]
+    fn a_change_of_a_long_sum_keeps_the_terms_that_differ_and_no_room_for_others() {
+        let number = |n: i64| {
+            let n = num_rational::BigRational::from_integer(n.into());
+            Expr::new(ExprKind::Number(n), Span::default())
+        };
+        let terms: Vec<(Sign, Expr)> = (0..500).map(|n| (Sign::Plus, number(n))).collect();
+        let mut others = terms.clone();
+        others[250].0 = Sign::Minus;
+        let sum = |terms| Expr::new(ExprKind::Sum(terms), Span::default());
+        match Change::between(&sum(terms), sum(others)) {
+            Change::Terms { from, to, by } => {
+                assert_eq!((from, to, by.len()), (250, 251, 1));
+                assert!(by.capacity() < 8);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The other sign: of a term, of a whole side, bracket or bar, of an entry, of an exponent.
 
 use super::build::{flipped, negated, sum};
-use super::{Replacement, Scene, Site};
+use super::{Change, LONG, Replacement, Scene, Site};
 use crate::expr::{ExprKind, Sign};
 use crate::verdict::EditClass;
 use num_traits::Zero;
@@ -14,6 +14,12 @@ fn of_site(site: &Site<'_>) -> Vec<Replacement> {
     let edit = |to| Replacement::new(site, EditClass::Sign, to);
     if let ExprKind::Sum(terms) = &site.expr.kind {
         let changed = |k: usize| {
+            if terms.len() > LONG {
+                let (sign, term) = &terms[k];
+                let by = vec![(flipped(*sign), term.clone())];
+                let change = Change::of_terms(terms, k, k + 1, by);
+                return Replacement::of(site, EditClass::Sign, change);
+            }
             let mut terms = terms.clone();
             // In front of the first term nothing is printed that could be the other sign.
             let rare = u32::from(k == 0 && terms[k].0 == Sign::Plus && terms.len() > 1);

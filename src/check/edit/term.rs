@@ -5,7 +5,7 @@
 use super::build::{factor, factors, number, product, quotient, sum, terms};
 use super::literal::left_out;
 use super::mark::may_be_matrix;
-use super::{Kind, Replacement, Scene, Site, name_of};
+use super::{Change, Kind, LONG, Replacement, Scene, Site, name_of};
 use crate::expr::{Expr, ExprKind, QuotientStyle, Sign};
 use crate::model::links::visit;
 use crate::verdict::EditClass;
@@ -40,6 +40,11 @@ fn dropped(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
     match &site.expr.kind {
         ExprKind::Sum(terms) if terms.len() > 1 => {
             for k in 0..terms.len() {
+                if terms.len() > LONG {
+                    let change = Change::of_terms(terms, k, k + 1, Vec::new());
+                    found.push(Replacement::of(site, EditClass::Term, change));
+                    continue;
+                }
                 let mut fewer = terms.clone();
                 fewer.remove(k);
                 found.push(edit(site, sum(fewer, span)));
@@ -101,8 +106,10 @@ fn letters(scene: &Scene<'_>) -> Vec<Expr> {
         if atom && scalar && !in_apply && !site.is_count() && !found.contains(site.expr) {
             found.push(site.expr.clone());
         }
+        if found.len() == FACTORS {
+            break;
+        }
     }
-    found.truncate(FACTORS);
     found
 }
 
@@ -224,7 +231,7 @@ fn pool(scene: &Scene<'_>) -> Vec<Expr> {
             expr.kind,
             ExprKind::Matrix { .. } | ExprKind::Underbrace { .. }
         );
-        if !matrix && !found.contains(expr) {
+        if !matrix && found.len() < TERMS && !found.contains(expr) {
             found.push(expr.clone());
         }
     };

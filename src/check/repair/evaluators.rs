@@ -11,7 +11,7 @@ use crate::expr::Display;
 use crate::functions::FunctionTable;
 use crate::model::links::Link;
 use crate::span::Span;
-use ratpoly::RationalFunction;
+use ratpoly::{RationalFunction, allowance};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -82,7 +82,9 @@ impl<'m> ExactFilter<'m> {
             .filter_map(|place| place.find(display))
             .map(work::evaluated)
             .sum();
+        let before = allowance::steps_left();
         let agree = self.agreeing(display, link, &mut steps);
+        steps += work::engine(before.saturating_sub(allowance::steps_left()));
         (agree.unwrap_or(false), steps)
     }
 

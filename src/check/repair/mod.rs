@@ -36,6 +36,7 @@ use crate::progress::interrupted;
 use crate::verdict::{
     Changed, Correction, Edit, EditClass, Ended, Given, Preferred, Proof, Proposal, Searched,
 };
+use ratpoly::allowance;
 use sites::Trial;
 use std::collections::BTreeSet;
 use work::Spent;
@@ -143,7 +144,7 @@ impl<'m> Checker<'m> {
     ) -> Result<Found, Searched> {
         let limit = Spent {
             tried: budget,
-            work: self.options.work,
+            work: self.work_of_a_search(),
         };
         if budget == 0 {
             return Err(searched(limit, Spent::default(), 0, 0));
@@ -186,10 +187,13 @@ impl<'m> Checker<'m> {
         if let Some(found) = best.among(self, equation, &display, found) {
             return Ok(found);
         }
-        if best.found.is_none()
-            && let Some(found) = self.by_definition(equation, link, &mut trial.spent, limit, None)
-        {
-            return Ok(found);
+        if best.found.is_none() {
+            let before = trial.spent.work;
+            let found = self.by_definition(equation, link, &mut trial.spent, limit, None);
+            allowance::spend(work::of_engine(trial.spent.work - before, false));
+            if let Some(found) = found {
+                return Ok(found);
+            }
         }
         let mut passing = trial.pairs(&singles);
         let mut found = self.prove(equation, link, passing.clone(), &singles, &mut trial);

@@ -12,6 +12,7 @@ use crate::evaluate::World;
 use crate::progress::interrupted;
 use crate::stack::Queue;
 use ratpoly::RationalFunction;
+use ratpoly::allowance::{self, Allowance};
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -72,22 +73,51 @@ impl Blocks {
             tried: tried.load(Ordering::Relaxed),
             work: steps.load(Ordering::Relaxed),
         };
+        let allowed = allowance::left();
         let results = Queue::run(blocks, self.threads, |queue| {
-            let mut state = start();
+            let Some(mut state) = under(allowed, &start) else {
+                return;
+            };
             // Blocks are taken in order: what is done at any time are the first ones.
             while !total().reaches(limit)
                 && !interrupted()
                 && let Some(block) = queue.take()
             {
-                let result = work(&mut state, self.range(block));
+                // What was cut short left the state in the middle of something.
+                let Some(result) = under(allowed, || work(&mut state, self.range(block))) else {
+                    return;
+                };
                 let spent = spent(&result);
                 tried.fetch_add(spent.tried, Ordering::Relaxed);
                 steps.fetch_add(spent.work, Ordering::Relaxed);
                 queue.put(block, result);
             }
         });
-        first_until(results.into_iter().map_while(|result| result), limit, spent)
+        let found = first_until(
+            results.into_iter().map_while(|result| result),
+            limit,
+            &spent,
+        );
+        let whole = found.iter().map(&spent).fold(Spent::default(), Spent::and);
+        if found.len() < blocks && !whole.reaches(limit) {
+            end();
+        }
+        found
     }
+}
+
+/// What comes of work under an allowance, as far as one is in force: each thread has its own, and each
+/// block the same one. What it spends is counted in the steps of the search.
+pub(super) fn under<T>(allowed: Option<Allowance>, work: impl FnOnce() -> T) -> Option<T> {
+    match allowed {
+        Some(allowed) => allowance::apart(allowed, work).ok(),
+        None => Some(work()),
+    }
+}
+
+/// Ends the search: a part of it came to the end of its allowance.
+pub(super) fn end() {
+    allowance::spend(u64::MAX);
 }
 
 /// The first results, until what they have `spent` together reaches `limit`.

@@ -1,12 +1,13 @@
 //! Which candidates are not ruled out: first at one point modulo the prime, then for all indices.
 
 use super::evaluators::{Passing, passes};
-use super::parallel::{Blocks, first_until};
+use super::parallel::{Blocks, end, first_until, under};
 use super::sites::Trial;
 use super::work::{self, Spent};
 use super::{Candidate, EXACTLY, edited};
 use crate::model::links::Place;
 use crate::progress::interrupted;
+use ratpoly::allowance;
 
 /// How many candidates the slow filter looks at.
 const SLOW: usize = 20_000;
@@ -55,8 +56,14 @@ impl<'m> Trial<'_, 'm> {
             (result, spent)
         };
         let results = if self.threads < 2 || units < MANY {
-            let results = (0..units).map(|unit| measured(self, unit));
-            first_until(results, limit, |(_, spent)| *spent)
+            let found = under(allowance::left(), || {
+                let results = (0..units).map(|unit| measured(self, unit));
+                first_until(results, limit, |(_, spent)| *spent)
+            });
+            found.unwrap_or_else(|| {
+                end();
+                Vec::new()
+            })
         } else {
             let (display, link, whole, seed) = (self.display, self.link, self.limit, &self.seed);
             let blocks = Blocks {
@@ -77,10 +84,14 @@ impl<'m> Trial<'_, 'm> {
             first_until(results.into_iter().flatten(), limit, |(_, spent)| *spent)
         };
         let mut found = Vec::with_capacity(results.len());
+        let mut steps = 0;
         for (result, spent) in results {
             self.spent = self.spent.and(spent);
+            steps += spent.work;
             found.push(result);
         }
+        // The document pays for it, whichever thread it was done on.
+        allowance::spend(work::of_engine(steps, self.functions));
         found
     }
 

@@ -21,6 +21,7 @@ use crate::model::links::{each_expression, visit};
 use crate::model::names::literal_integer;
 use crate::span::Span;
 use num_rational::BigRational;
+use ratpoly::allowance;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
@@ -415,7 +416,18 @@ impl<'m> Store<'m> {
 
     /// What the evaluator says of an expression.
     pub fn evaluated(&mut self, expr: &Expr, env: Env) -> Residue {
+        let before = allowance::steps_left();
+        let residue = self.evaluated_freely(expr, env);
         self.charge(work::evaluated(expr));
+        // Only one thread searches where the exact engine is asked: the count is the same everywhere.
+        if self.exact.is_some() {
+            let spent = before.saturating_sub(allowance::steps_left());
+            self.charge(work::engine(spent));
+        }
+        residue
+    }
+
+    fn evaluated_freely(&mut self, expr: &Expr, env: Env) -> Residue {
         let bound = self.envs[env].clone();
         let value = self.evaluator.with_indices(&bound, |e| e.expression(expr));
         let failure = match value {

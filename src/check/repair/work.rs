@@ -17,6 +17,11 @@ const FUNCTION: u64 = 400;
 /// Steps for each term of an exact value.
 const TERM: u64 = 40;
 
+/// How many steps of the exact engine are one of a search where it is asked, and where it is not: there
+/// a step is an operation on a number with all that is done around it.
+const ENGINE: u64 = 16;
+const NUMBERS: u64 = 4;
+
 /// What was spent, or may be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Spent {
@@ -68,6 +73,16 @@ pub(super) fn evaluated(expr: &Expr) -> u64 {
         ));
     });
     EVALUATED * (size(expr) + FUNCTION * functions)
+}
+
+/// What so many steps of the exact engine count.
+pub(super) fn engine(steps: u64) -> u64 {
+    steps / ENGINE
+}
+
+/// What steps of a search count among those of the exact engine.
+pub(super) fn of_engine(steps: u64, functions: bool) -> u64 {
+    steps.saturating_mul(if functions { ENGINE } else { NUMBERS })
 }
 
 /// What one operation with such a result and so many operands costs: a product of matrices is dear.

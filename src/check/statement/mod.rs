@@ -130,8 +130,9 @@ impl Checker<'_> {
                 });
             }
             for (k, proposition) in statement.propositions.iter().enumerate() {
-                let found =
-                    self.bounded(|checker| checker.proposition(proposition, &ground, &mut units));
+                let found = self.bounded_in_all(|checker| {
+                    checker.proposition(proposition, &ground, &mut units)
+                });
                 let found = match found {
                     Ok(Ok(found)) => found,
                     Ok(Err(failure)) => Found::undecided(self.reason_of(&failure)),
