@@ -8,7 +8,7 @@ use crate::polynomial::{Polynomial, layout_of};
 use crate::ring::Ring;
 use crate::scalar::Scalar;
 use crate::sum_of_products::fused;
-use crate::terms::{Terms, each_layout, each_width, same_layout};
+use crate::terms::{each_layout, each_width, same_layout};
 use num_bigint::BigInt;
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -40,12 +40,7 @@ impl Polynomial {
     /// Counts a sum against the allowance of the thread, before it is formed.
     pub(crate) fn allow_sum(&self, other: &Polynomial) {
         let terms = self.len() + other.len();
-        // Each monomial of the widest layout is an object of its own.
-        let each = match (&self.terms, &other.terms) {
-            (Terms::Wide(_), _) | (_, Terms::Wide(_)) => 4 + self.ring.len() / 4,
-            _ => 1,
-        };
-        allowance::spend(4 + terms.saturating_mul(each) as u64);
+        allowance::spend(4 + terms as u64);
         // The length of a coefficient is asked for only where it can matter.
         let bytes = terms.saturating_mul(24 + 8 * self.ring.len());
         allowance::reserve(bytes);

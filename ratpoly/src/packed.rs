@@ -13,12 +13,6 @@ pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'sta
     /// The index of the layout among those of a ring.
     const KIND: usize;
 
-    /// How many bytes it takes outside of itself.
-    #[inline]
-    fn bytes_apart(&self) -> usize {
-        0
-    }
-
     /// The layout of this type in a ring that has one.
     fn layout(ring: Ring) -> &'static Layout {
         ring.layout(Self::KIND)
@@ -237,11 +231,6 @@ pub(crate) struct Wide(Box<[u64]>);
 
 impl PackedMonomial for Wide {
     const KIND: usize = 3;
-
-    fn bytes_apart(&self) -> usize {
-        // The allocator takes some besides.
-        16 + size_of_val(&*self.0)
-    }
 
     fn wrap(list: TermList<Self>) -> Terms {
         Terms::Wide(list)

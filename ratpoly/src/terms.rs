@@ -104,10 +104,7 @@ impl<M: PackedMonomial> TermList<M> {
 
     /// About how many bytes they take.
     pub fn bytes(&self) -> usize {
-        let inline = each_width!(self, terms => {
-            let apart = terms.first().map_or(0, |t| t.monomial.bytes_apart());
-            size_of_val(terms.as_slice()) + terms.len() * apart
-        });
+        let inline = each_width!(self, terms => size_of_val(terms.as_slice()));
         let long = match self {
             TermList::Word(_) | TermList::Double(_) => 0,
             TermList::Big(terms) => {
