@@ -29,6 +29,8 @@ mod signs;
 mod sizes;
 #[path = "soundness/statements.rs"]
 mod statements;
+#[path = "soundness/textbook.rs"]
+mod textbook;
 #[path = "soundness/unwritten.rs"]
 mod unwritten;
 #[path = "soundness/zero.rs"]

@@ -9,6 +9,7 @@
 
 use super::Checker;
 use super::admissible::Admissible;
+use super::hypotheses::possible::Signs as PossibleSigns;
 use super::sides::{CASE, Sides, sides_of};
 use crate::domain::Symbolic;
 use crate::evaluate::{Failure, Value};
@@ -39,6 +40,8 @@ struct Signs {
     shows: Positivity,
     /// Whether it is so in one of several cases of a definition only.
     in_case: bool,
+    /// The values of running indices, and the number of the case.
+    indices: Vec<(String, i64)>,
 }
 
 /// The larger and the smaller side of a relation of order, and whether they may not be equal.
@@ -163,6 +166,30 @@ impl Checker<'_> {
             }
             Some(_) => undecided("the sign of a determinant or expression is out of reach"),
         }
+    }
+
+    /// That what is asked is positive, or not negative, in each case of what is positive, negative or zero.
+    pub(super) fn ordered_by_cases(&mut self, equation: usize, link: &Link) -> Option<Verdict> {
+        let (_, strict) = ordered(link.relation)?;
+        let display = self.exact.display(equation).clone();
+        let several = self.signs_asked(&display, link).ok()?.ok()?;
+        let mut asked = Vec::new();
+        for signs in &several {
+            let beside = self.suppositions_of_case(equation, link, &signs.indices)?;
+            for value in &signs.positive {
+                asked.push((self.spelt_out(value)?, beside.clone()));
+            }
+        }
+        let wanted = match strict {
+            true => PossibleSigns::POSITIVE,
+            false => PossibleSigns::NOT_NEGATIVE,
+        };
+        let steps = self.by_cases(&asked, wanted)?;
+        let proof = self.verified(equation, link, steps)?;
+        Some(Verdict::Holds {
+            by: Vec::new(),
+            proof,
+        })
     }
 
     /// That an order holds, with what was found to be positive.
@@ -305,7 +332,7 @@ impl Checker<'_> {
         let sides = sides_of(&mut self.exact, display, link, upper.span)?;
         let cases = sides.len() > 1 && display_has_cases(&sides);
         let mut several = Vec::new();
-        for (_, left, right) in sides {
+        for (indices, left, right) in sides {
             let (above, below) = if swapped {
                 (right, left)
             } else {
@@ -323,6 +350,7 @@ impl Checker<'_> {
             match self.signs_of_form(matrix, strict) {
                 Ok(signs) => several.push(Signs {
                     in_case: cases,
+                    indices,
                     ..signs
                 }),
                 Err(verdict) => return Ok(Err(verdict)),
@@ -357,6 +385,7 @@ impl Checker<'_> {
                     by: PositiveBy::Declared(name),
                 },
                 in_case: false,
+                indices: Vec::new(),
             });
         }
         let n = matrix.rows();
@@ -373,6 +402,7 @@ impl Checker<'_> {
                 positive,
                 shows: Positivity { form, by },
                 in_case: false,
+                indices: Vec::new(),
             }),
             None => Err(undecided("the minors are out of reach")),
         }
@@ -416,6 +446,7 @@ impl Checker<'_> {
                 },
                 positive,
                 in_case: false,
+                indices: Vec::new(),
             }),
             None => Err(undecided("the Hurwitz determinants are out of reach")),
         })

@@ -2,6 +2,7 @@
 
 use super::bounded;
 use super::challenge::is_decided_by_points;
+use super::hypotheses::possible::Signs;
 use super::identity::{Decision, Insertion};
 use super::{Checker, Told, index_tuples};
 use crate::evaluate::{Failure, FailureKind};
@@ -10,7 +11,9 @@ use crate::latex;
 use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node, Role};
-use crate::verdict::{CounterProof, Ended, Positivity, Refutation, Searched, Verdict};
+use crate::verdict::{
+    CounterProof, Ended, Positivity, Refutation, ResidualEntry, Searched, Verdict,
+};
 use ratpoly::allowance::Exhausted;
 
 impl Checker<'_> {
@@ -154,7 +157,11 @@ impl Checker<'_> {
             {
                 match self.violated(equation, link) {
                     Some(refutation) => Verdict::Refuted(refutation),
-                    None => verdict,
+                    None => self
+                        .bounded(|c| c.ordered_by_cases(equation, link))
+                        .ok()
+                        .flatten()
+                        .unwrap_or(verdict),
                 }
             }
             Verdict::Refuted(refutation) if link.relation != Relation::Equal => {
@@ -312,9 +319,14 @@ impl Checker<'_> {
                 }
             }
             Ok(decision @ (Decision::Refuted(_) | Decision::False(..))) => {
+                let refuted = matches!(decision, Decision::Refuted(_));
                 let mut refutation = match self.shown_false(equation, link, decision) {
                     Ok(refutation) => refutation,
-                    Err(reason) => return Verdict::Undecided { reason },
+                    Err(reason) => {
+                        return self
+                            .equal_by_cases(equation, link, &entries, refuted)
+                            .unwrap_or(Verdict::Undecided { reason });
+                    }
                 };
                 if let Some(verdict) = self.under_stated(equation, link, &mut refutation) {
                     return verdict;
@@ -332,6 +344,35 @@ impl Checker<'_> {
             }
             Err(reason) => Verdict::Undecided { reason },
         }
+    }
+
+    /// That what is neither positive nor negative under the hypotheses, or in a case, is zero. A point may be
+    /// outside of the case that it refutes, and no other refuted entry is looked at.
+    fn equal_by_cases(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        entries: &[ResidualEntry],
+        refuted: bool,
+    ) -> Option<Verdict> {
+        let mut open = Vec::new();
+        for entry in entries.iter().filter(|e| e.left != e.right) {
+            let difference = self.spelt_out(&entry.difference())?;
+            let beside = self.suppositions_of_case(equation, link, &entry.indices)?;
+            if refuted && beside.is_empty() {
+                return None;
+            }
+            open.push((difference, beside));
+        }
+        if open.is_empty() {
+            return None;
+        }
+        let steps = self.by_cases(&open, Signs::ZERO)?;
+        let proof = self.verified(equation, link, steps)?;
+        Some(Verdict::Holds {
+            by: Vec::new(),
+            proof,
+        })
     }
 
     /// Whether a failure's place lies inside of an equation.

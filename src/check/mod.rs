@@ -7,6 +7,7 @@
 mod admissible;
 mod after;
 pub(crate) mod bounded;
+mod by_cases;
 mod challenge;
 mod conditions;
 mod definite;

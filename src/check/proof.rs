@@ -183,6 +183,15 @@ fn letters_in(steps: &Steps) -> BTreeSet<usize> {
             fractions.chain(relations).chain(inserted).collect()
         }
         Steps::Ordered(ordered) => ordered.positive.iter().flat_map(fraction).collect(),
+        Steps::Cases(cases) => {
+            let own = cases.cases.iter().flat_map(|case| {
+                let values = case.inserted.iter().map(|(_, f)| f);
+                let letters = case.inserted.iter().map(|(l, _)| *l);
+                let fractions = values.chain([&case.of, &case.is]).flat_map(fraction);
+                fractions.chain(letters).collect::<Vec<_>>()
+            });
+            own.collect()
+        }
         Steps::Leading(leading) => fraction(&leading.quotient).into_iter().collect(),
         Steps::Scope => BTreeSet::new(),
         Steps::Sizes(all) => all.iter().flat_map(letters_in).collect(),
@@ -221,6 +230,9 @@ fn function_text(function: &FunctionLetter) -> String {
         FunctionLetter::Power(base, exponent) => format!("({base})^({exponent})"),
         FunctionLetter::Logarithm(p) => format!("ln({p})"),
         FunctionLetter::Dirac(u) => format!("delta({u})"),
+        FunctionLetter::Bound { depth, .. } if *depth >= super::by_cases::FIRST => {
+            "positive, of a case".into()
+        }
         FunctionLetter::Bound { depth, .. } => format!("variable of integration {depth}"),
     }
 }

@@ -78,6 +78,11 @@ impl<D: Domain> Evaluator<'_, D> {
         (result, met)
     }
 
+    /// What the case that is looked at supposes.
+    pub(crate) fn supposed_here(&self) -> &[Supposed<D::Element>] {
+        &self.choice.supposed
+    }
+
     /// The results of `body` in each case of the definitions by cases that it meets, with the number of
     /// the case from 0; one without a number where it meets none.
     ///

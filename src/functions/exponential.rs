@@ -216,6 +216,9 @@ impl FunctionTable {
         {
             return Ok(self.reduce(&sign * &self.power(&-base, exponent)?));
         }
+        if let Some(value) = self.power_of_imaginary_unit(base, exponent)? {
+            return Ok(self.reduce(value));
+        }
         if !self.is_positive(base) {
             return Err(Impossible::unsupported(
                 "a power with a symbolic exponent of something that is not known to be positive",

@@ -40,14 +40,59 @@ impl FunctionTable {
         &self,
         term: &Term,
     ) -> Possible<Option<(RationalFunction, RationalFunction)>> {
-        if !term.number.is_integer() || self.half_turns(&term.atom).is_none() {
+        let Some(times) = self
+            .half_turns(&term.atom)
+            .filter(|_| term.number.is_integer())
+        else {
             return Ok(None);
-        }
+        };
         let cosine = match term.number.numer().is_even() {
             true => self.integer(1),
-            false => self.letter_value(FunctionLetter::Cosine(term.atom.clone()))?,
+            false => {
+                let angle = &self.pi()? * &self.of_same_parity(&times)?;
+                self.letter_value(FunctionLetter::Cosine(angle))?
+            }
         };
         Ok(Some((self.reduce(cosine), self.integer(0))))
+    }
+
+    /// A product of integer letters without their powers: n^2 is even where n is.
+    fn of_same_parity(&self, times: &RationalFunction) -> Possible<RationalFunction> {
+        let terms = times.numerator().terms().map(|(monomial, coefficient)| {
+            let exponents = monomial.exponents().iter();
+            (exponents.map(|e| (*e).min(1)).collect(), coefficient)
+        });
+        let terms: super::TermList = terms.collect();
+        Ok(match terms.len() {
+            1 => Polynomial::from_terms(self.ring, terms)?.into(),
+            _ => times.clone(),
+        })
+    }
+
+    /// i^exponent where the exponent is 2p or 2p + 1 with a p that has integer values only: (-1)^p or i (-1)^p.
+    pub(super) fn power_of_imaginary_unit(
+        &self,
+        base: &RationalFunction,
+        exponent: &RationalFunction,
+    ) -> Possible<Option<RationalFunction>> {
+        let Some(unit) = self.imaginary_letter().map(|i| self.variable(i)) else {
+            return Ok(None);
+        };
+        if *base != unit || !self.is_integer(exponent) {
+            return Ok(None);
+        }
+        let constant = exponent.numerator().coefficient(&vec![0; self.ring.len()]);
+        let odd = constant.is_odd();
+        let even = if odd {
+            exponent - &self.integer(1)
+        } else {
+            exponent.clone()
+        };
+        let half = even.checked_div(&self.integer(2))?;
+        let Some(sign) = self.power_of_minus_one(&half)? else {
+            return Ok(None);
+        };
+        Ok(Some(if odd { &sign * &unit } else { sign }))
     }
 
     /// Whether a letter is the cosine of half turns: no other cosine has a square of its own.

@@ -2,7 +2,7 @@
 //!
 //! In order: coefficients of one sign in positive letters; what is supposed; numbers by enclosures; a
 //! polynomial on the box of its letters' ranges; factors; a sum a + b t with a root t by comparing a^2 with
-//! b^2 t^2; tangents, e^u >= 1 + u and their like. Nothing is sampled, and a certificate says what was used.
+//! b^2 t^2; sums of logarithms; estimates, e^u >= 1 + u and their like; half angles. Nothing is sampled, and a certificate says what was used.
 
 use super::monotone::Increasing;
 use super::{FunctionLetter, FunctionTable};
@@ -106,9 +106,13 @@ pub enum SignFact {
         /// The difference of the squares.
         difference: RationalFunction,
     },
-    /// A letter was bounded by a tangent of its function: in its place stands this, in which the letter is
+    /// A sum of logarithms has the sign of this.
+    Logarithms(RationalFunction),
+    /// With the tangent of half of an angle, which is any real number, it has the sign of this.
+    HalfAngle(RationalFunction),
+    /// A letter was bounded by an estimate of its function: in its place stands this, in which the letter is
     /// a number from zero on.
-    Tangent {
+    Estimate {
         /// The letter.
         letter: usize,
         /// What it is.
@@ -126,7 +130,7 @@ pub struct SignCertificate {
 }
 
 impl SignCertificate {
-    fn new(sign: Sign, facts: Vec<SignFact>) -> Self {
+    pub(super) fn new(sign: Sign, facts: Vec<SignFact>) -> Self {
         SignCertificate { sign, facts }
     }
 }
@@ -164,7 +168,11 @@ impl FunctionTable {
         self.sign_within(f, DEEPEST)
     }
 
-    fn sign_within(&self, f: &RationalFunction, depth: usize) -> Option<SignCertificate> {
+    pub(super) fn sign_within(
+        &self,
+        f: &RationalFunction,
+        depth: usize,
+    ) -> Option<SignCertificate> {
         let above = self.sign_of_polynomial(f.numerator(), depth)?;
         let below = self.sign_of_polynomial(f.denominator(), depth)?;
         // Where there is a value the denominator is not zero.
@@ -182,7 +190,11 @@ impl FunctionTable {
         self.sign(f) == Some(Ordering::Greater)
     }
 
-    fn sign_of_polynomial(&self, p: &Polynomial, depth: usize) -> Option<SignCertificate> {
+    pub(super) fn sign_of_polynomial(
+        &self,
+        p: &Polynomial,
+        depth: usize,
+    ) -> Option<SignCertificate> {
         if let Some(constant) = p.as_constant() {
             let sign = match constant {
                 c if c.is_zero() => Sign::Zero,
@@ -264,7 +276,9 @@ impl FunctionTable {
         }
         self.sign_by_factors(p, depth)
             .or_else(|| self.sign_by_squares(p, depth))
-            .or_else(|| self.sign_by_tangents(p, &ranges))
+            .or_else(|| self.sign_by_logarithms(p, depth))
+            .or_else(|| self.sign_by_estimates(p, &ranges))
+            .or_else(|| self.sign_by_half_angles(p, depth))
     }
 
     /// The sign of what is supposed, up to a number as a factor.
@@ -289,7 +303,21 @@ impl FunctionTable {
 
     /// The sign of a polynomial where its letters lie in these ranges: on the open box, and on each
     /// face that belongs to it.
-    fn sign_on_box(&self, p: &Polynomial, ranges: &BTreeMap<usize, Range>) -> Option<Sign> {
+    pub(super) fn sign_on_box(
+        &self,
+        p: &Polynomial,
+        ranges: &BTreeMap<usize, Range>,
+    ) -> Option<Sign> {
+        self.sign_on_box_within(p, ranges, &Budget::new(20_000, 4_000, 5_000_000))
+    }
+
+    /// The same with a budget for each face.
+    pub(super) fn sign_on_box_within(
+        &self,
+        p: &Polynomial,
+        ranges: &BTreeMap<usize, Range>,
+        budget: &Budget,
+    ) -> Option<Sign> {
         let occurring = p.variables_occurring();
         let end = |end: &Option<crate::model::range::End>, infinite: Bound| match end {
             Some(end) => Bound::Finite(end.value.clone()),
@@ -307,7 +335,7 @@ impl FunctionTable {
             )
             .collect();
         let region = Region::new(intervals).ok()?;
-        let inside = match sign_on(p, &region, &Budget::new(20_000, 4_000, 5_000_000)).ok()? {
+        let inside = match sign_on(p, &region, budget).ok()? {
             RegionSign::Zero => Sign::Zero,
             RegionSign::Positive => Sign::Positive,
             RegionSign::Negative => Sign::Negative,
@@ -344,7 +372,7 @@ impl FunctionTable {
                 let face = RationalFunction::from(p.clone())
                     .substitute(&[(*letter, at)])
                     .ok()?;
-                let sign = self.sign_on_box(face.numerator(), ranges)?;
+                let sign = self.sign_on_box_within(face.numerator(), ranges, budget)?;
                 if sign != inside {
                     return Some(weak);
                 }
@@ -441,93 +469,6 @@ impl FunctionTable {
             return Some(SignCertificate::new(sign, facts));
         }
         None
-    }
-
-    /// With a letter bounded by a tangent: e^u >= 1 + u, 1 - 1/p <= ln p <= p - 1, sin u <= u for u >= 0,
-    /// cos u >= 1 - u^2/2.
-    fn sign_by_tangents(
-        &self,
-        p: &Polynomial,
-        ranges: &BTreeMap<usize, Range>,
-    ) -> Option<SignCertificate> {
-        for letter in p.variables_occurring() {
-            for (image, strict) in self.tangents(letter) {
-                let Ok(image) = RationalFunction::from(p.clone()).substitute(&[(letter, image)])
-                else {
-                    continue;
-                };
-                let mut ranges = ranges.clone();
-                let mut rest = Range::default();
-                rest.raise(BigRational::zero(), !strict);
-                ranges.insert(letter, rest);
-                let mut sign = Some(Sign::Positive);
-                for part in [image.numerator(), image.denominator()] {
-                    for l in part.variables_occurring() {
-                        ranges.entry(l).or_insert_with(|| self.letter_range(l));
-                        if !self.is_real_letter(l) {
-                            sign = None;
-                        }
-                    }
-                    let own = self.sign_on_box(part, &ranges);
-                    sign = sign.zip(own).map(|(s, own)| s.times(own));
-                }
-                // The denominator is no free choice here: it must not vanish.
-                let below = self.sign_on_box(image.denominator(), &ranges);
-                if let (Some(sign), Some(Sign::Positive | Sign::Negative)) = (sign, below) {
-                    let mut facts: Vec<SignFact> = ranges
-                        .into_iter()
-                        .filter(|(l, _)| *l != letter)
-                        .map(|(l, r)| SignFact::Range(l, r))
-                        .collect();
-                    facts.push(SignFact::Tangent { letter, image });
-                    return Some(SignCertificate::new(sign, facts));
-                }
-            }
-        }
-        None
-    }
-
-    /// What a letter is in terms of how far it is from its tangent, for which the letter itself stands,
-    /// and whether that is never zero.
-    fn tangents(&self, letter: usize) -> Vec<(RationalFunction, bool)> {
-        let one = self.integer(1);
-        let rest = self.variable(letter);
-        let strict = |f: &RationalFunction| {
-            matches!(self.known_sign(f), Some(Sign::Positive | Sign::Negative))
-        };
-        match self.meaning(letter) {
-            Some(FunctionLetter::Exponential(u)) => {
-                vec![(&(&one + &u) + &rest, strict(&u))]
-            }
-            Some(FunctionLetter::Logarithm(p)) => {
-                let p = RationalFunction::from(p);
-                let away = strict(&(&p - &one));
-                let mut all = vec![(&(&p - &one) - &rest, away)];
-                if let Ok(inverse) = p.inverse() {
-                    all.push((&(&one - &inverse) + &rest, away));
-                }
-                all
-            }
-            Some(FunctionLetter::Sine(u, _)) => match self.known_sign(&u) {
-                Some(Sign::Positive | Sign::NotNegative) => vec![(&u - &rest, strict(&u))],
-                Some(Sign::Negative | Sign::NotPositive) => vec![(&u + &rest, strict(&u))],
-                Some(Sign::Zero) | None => Vec::new(),
-            },
-            Some(FunctionLetter::Cosine(u)) => {
-                let half =
-                    RationalFunction::constant(self.ring, BigRational::new(1.into(), 2.into()));
-                vec![(&(&one - &(&(&u * &u) * &half)) + &rest, strict(&u))]
-            }
-            None
-            | Some(
-                FunctionLetter::Pi
-                | FunctionLetter::ImaginaryUnit
-                | FunctionLetter::Root(_)
-                | FunctionLetter::Power(..)
-                | FunctionLetter::Dirac(_)
-                | FunctionLetter::Bound { .. },
-            ) => Vec::new(),
-        }
     }
 }
 

@@ -159,6 +159,30 @@ pub struct Leading {
     pub limit: String,
 }
 
+/// One of the cases of a claim, and what closes it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Case {
+    /// What the letters are in it; letters that occur here only are positive.
+    pub inserted: Vec<(usize, Fraction)>,
+    /// What is claimed to have a sign, or is supposed to have one.
+    pub of: Fraction,
+    /// The same with what is inserted.
+    pub is: Fraction,
+    /// Whether it is what is claimed; otherwise a hypothesis that has a sign which it excludes.
+    pub claim: bool,
+    /// Its sign in this case.
+    pub sign: &'static str,
+}
+
+/// A claim in each case of what is positive, negative or zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Cases {
+    /// The cases that are closed.
+    pub cases: Vec<Case>,
+    /// Letters whose squares are known, each with its square.
+    pub squares: Vec<(usize, Terms)>,
+}
+
 /// What a certificate consists of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Steps {
@@ -166,6 +190,8 @@ pub enum Steps {
     Membership(Membership),
     /// Signs.
     Ordered(Ordered),
+    /// Signs in each of several cases.
+    Cases(Cases),
     /// A limit.
     Leading(Leading),
     /// A definition whose letters are those that it is a function of.
@@ -203,7 +229,7 @@ impl Proof {
             match steps {
                 Steps::Membership(membership) => membership.entries.len(),
                 Steps::Sizes(all) => all.iter().map(count).sum(),
-                Steps::Ordered(_) | Steps::Leading(_) | Steps::Scope => 0,
+                Steps::Ordered(_) | Steps::Cases(_) | Steps::Leading(_) | Steps::Scope => 0,
             }
         }
         count(&self.0.steps)
@@ -238,10 +264,12 @@ impl Certificate {
     }
 }
 
-fn verify_steps(steps: &Steps) -> bool {
+/// Whether every step is what it says.
+pub(crate) fn verify_steps(steps: &Steps) -> bool {
     match steps {
         Steps::Membership(membership) => membership.verify().unwrap_or(false),
         Steps::Ordered(ordered) => ordered.positive.iter().all(|f| !f.denominator.0.is_empty()),
+        Steps::Cases(cases) => cases.verify().unwrap_or(false),
         Steps::Leading(leading) => !leading.quotient.denominator.0.is_empty(),
         Steps::Scope => true,
         Steps::Sizes(all) => all.iter().all(verify_steps),
@@ -354,6 +382,52 @@ impl Membership {
             let numerator = reduce_polynomial(&numerator, &quadratics);
             let denominator = reduce_polynomial(&denominator, &quadratics);
             if !numerator.is_zero() || denominator.is_zero() {
+                return Some(false);
+            }
+        }
+        Some(true)
+    }
+}
+
+impl Cases {
+    /// Whether each case says what its letters make of the element; none where it cannot be multiplied out.
+    fn verify(&self) -> Option<bool> {
+        fn both(f: &Fraction) -> [&Terms; 2] {
+            [&f.numerator, &f.denominator]
+        }
+        for case in &self.cases {
+            let inserted = case.inserted.iter().map(|(_, f)| f);
+            let all = inserted.chain([&case.of, &case.is]).flat_map(both);
+            let letters = case.inserted.iter().map(|(l, _)| l);
+            let letters = letters.chain(self.squares.iter().map(|(l, _)| l));
+            let own: Vec<Terms> = letters
+                .map(|l| Terms(vec![(BigInt::one(), vec![(*l, 1)])]))
+                .collect();
+            let squares = self.squares.iter().map(|(_, t)| t);
+            let multiplication = Multiplication::of(all.chain(squares).chain(&own))?;
+            let place = |letter: &usize| multiplication.places[letter];
+            let images = case
+                .inserted
+                .iter()
+                .map(|(l, f)| Some((place(l), multiplication.fraction(f)?)))
+                .collect::<Option<Vec<_>>>()?;
+            let quadratics = self
+                .squares
+                .iter()
+                .map(|(l, square)| {
+                    Some(Quadratic {
+                        letter: place(l),
+                        square: multiplication.polynomial(square)?,
+                    })
+                })
+                .collect::<Option<Vec<_>>>()?;
+            let of = multiplication.fraction(&case.of)?;
+            let there = of.substitute(&images).ok()?;
+            let is = multiplication.fraction(&case.is)?;
+            let difference =
+                &(there.numerator() * is.denominator()) - &(is.numerator() * there.denominator());
+            let below = reduce_polynomial(there.denominator(), &quadratics);
+            if !reduce_polynomial(&difference, &quadratics).is_zero() || below.is_zero() {
                 return Some(false);
             }
         }

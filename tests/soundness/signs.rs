@@ -7,15 +7,15 @@ use rederive::document::VerdictWord;
 
 /// Claims with their truth, under one table of letters.
 pub struct Family {
-    name: &'static str,
+    name: String,
     head: String,
     claims: Vec<(String, bool)>,
 }
 
 impl Family {
-    pub fn new(name: &'static str, head: &str) -> Self {
+    pub fn new(name: &str, head: &str) -> Self {
         Family {
-            name,
+            name: name.into(),
             head: head.into(),
             claims: Vec::new(),
         }
@@ -32,6 +32,43 @@ impl Family {
     /// No claim may have the wrong definite verdict; what is returned are the shares decided of the
     /// true and of the false ones.
     pub fn check(&self) -> (f64, f64) {
+        self.shares(self.count())
+    }
+
+    fn shares(&self, (decided, all): ([usize; 2], [usize; 2])) -> (f64, f64) {
+        let share = |k: usize| decided[k] as f64 / all[k].max(1) as f64;
+        println!(
+            "{}: {} true, {:.0} % decided; {} false, {:.0} % decided",
+            self.name,
+            all[1],
+            100.0 * share(1),
+            all[0],
+            100.0 * share(0)
+        );
+        (share(1), share(0))
+    }
+
+    /// The same as `decides`, with so many claims in one document: letters of functions are shared there.
+    pub fn decides_in_parts(&self, of: usize, of_true: f64, of_false: f64) {
+        let (mut decided, mut all) = ([0; 2], [0; 2]);
+        for claims in self.claims.chunks(of) {
+            let part = Family {
+                name: self.name.clone(),
+                head: self.head.clone(),
+                claims: claims.to_vec(),
+            };
+            let (own, total) = part.count();
+            for k in 0..2 {
+                decided[k] += own[k];
+                all[k] += total[k];
+            }
+        }
+        let (t, f) = self.shares((decided, all));
+        assert!(t >= of_true && f >= of_false, "{}: {t} {f}", self.name);
+    }
+
+    /// How many of the false and of the true claims are decided, and how many there are.
+    fn count(&self) -> ([usize; 2], [usize; 2]) {
         let mut text = self.head.clone();
         for (k, (claim, _)) in self.claims.iter().enumerate() {
             text += &format!("\n```math {} claim\n{claim}\n```\n", k + 1);
@@ -41,7 +78,7 @@ impl Family {
             ..Options::default()
         };
         let audit = audit(&text, options).unwrap_or_else(|r| panic!("{}: {r}", self.name));
-        let mut wrong = Vec::new();
+        let (mut wrong, mut open) = (Vec::new(), Vec::new());
         let (mut decided, mut all) = ([0_usize; 2], [0_usize; 2]);
         for (k, (claim, truth)) in self.claims.iter().enumerate() {
             let words = audit
@@ -65,6 +102,9 @@ impl Family {
                 wrong.push(format!("{claim} is {truth}, and said to be {words:?}"));
             }
             decided[usize::from(*truth)] += usize::from(holds || fails);
+            if !holds && !fails {
+                open.push(format!("open, {truth}: {claim}"));
+            }
         }
         assert!(
             wrong.is_empty(),
@@ -74,16 +114,10 @@ impl Family {
             self.claims.len(),
             wrong.join("\n")
         );
-        let share = |k: usize| decided[k] as f64 / all[k].max(1) as f64;
-        println!(
-            "{}: {} true, {:.0} % decided; {} false, {:.0} % decided",
-            self.name,
-            all[1],
-            100.0 * share(1),
-            all[0],
-            100.0 * share(0)
-        );
-        (share(1), share(0))
+        if std::env::var("SHOW_CLAIMS").is_ok() {
+            println!("{}", open.join("\n"));
+        }
+        (decided, all)
     }
 
     /// The same, with at least these shares decided of the true and of the false claims.
