@@ -7,10 +7,11 @@
 use rederive::check::edit::form::same_reading;
 use rederive::check::edit::{Context, Replacement, singles, sites};
 use rederive::document::Document;
+use rederive::expr::walk::children;
 use rederive::expr::{Display, Expr, ExprKind};
 use rederive::latex::{self, Signature};
 use rederive::model::Model;
-use rederive::model::links::{Link, Place, children};
+use rederive::model::links::{Link, Place};
 use rederive::verdict::EditClass;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

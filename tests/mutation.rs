@@ -5,9 +5,10 @@
 use rederive::audit::Audit;
 use rederive::check;
 use rederive::document::{Document, VerdictWord};
+use rederive::expr::walk::children_mut;
 use rederive::expr::{Display, Expr, ExprKind, Sign};
 use rederive::input;
-use rederive::model::links::{Place, children_mut};
+use rederive::model::links::Place;
 use rederive::mutation::tally::{Tally, kepts, tally};
 use rederive::mutation::{
     Case, Class, Decide, Equivalence, Fate, Finding, Kept, Mutation, Options, Rewriting,

@@ -6,9 +6,11 @@
 
 use super::Checker;
 use super::identity::Decision;
+use super::sides::CASE;
 use crate::enclose::{Budget, Challenge, Comparison, Point, Points, Shown, World, challenge};
+use crate::expr::walk::visit;
 use crate::expr::{Display, ExprKind, Relation};
-use crate::model::links::{Link, visit};
+use crate::model::links::Link;
 use crate::model::{Hypothesis, Letter};
 use crate::real::{Complex, Real};
 use crate::verdict::{Contradiction, PointValue, Refutation, Verdict, Witness};
@@ -103,6 +105,14 @@ impl<'m> Checker<'m> {
         let found = self.points_apart(equation, link, &[]);
         match decision {
             Decision::Refuted(refutation) => {
+                // A point of one case may be none at which that case is taken.
+                let in_a_case = refutation
+                    .witness()
+                    .is_some_and(|w| w.indices.iter().any(|(name, _)| name == CASE));
+                if let (true, Some(shown)) = (in_a_case, &found.apart) {
+                    let shown = Refutation::at(self.witness_of(shown));
+                    return Ok(shown.with_residual(refutation.residual));
+                }
                 // A second route that knows values elsewhere must find those of this point apart.
                 let own = match (&found.apart, refutation.witness()) {
                     (_, Some(w)) if w.point.iter().any(|(l, _)| self.is_no_choice(*l)) => {

@@ -34,6 +34,10 @@ impl Checker<'_> {
                     origin: condition.origin.clone(),
                     because: None,
                 };
+                // It is known to be positive.
+                if meant.factor.is_one() {
+                    continue;
+                }
                 if !found.contains(&meant) {
                     found.push(meant);
                 }

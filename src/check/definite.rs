@@ -411,7 +411,7 @@ impl Checker<'_> {
     /// What must be positive for every eigenvalue of a matrix to have a smaller real part.
     fn stable(&mut self, matrix: &Expr, upper: &Expr) -> Result<Result<Signs, Verdict>, Failure> {
         let field = self.model.field();
-        let bound = match self.exact.expression(upper)? {
+        let bound = match self.exact.expression_without_cases(upper)? {
             Value::Zero => RationalFunction::zero(self.model.ring),
             Value::Scalar(bound) => bound,
             Value::Matrix(_) => return Ok(Err(undecided("a real part below a matrix"))),
@@ -426,7 +426,7 @@ impl Checker<'_> {
                 }
             })
         };
-        let matrix = match self.exact.expression(matrix)? {
+        let matrix = match self.exact.expression_without_cases(matrix)? {
             Value::Matrix(m) if m.is_square() => shifted(&m),
             Value::Scalar(s) => shifted(&Matrix::from_fn(1, 1, |_, _| s.clone())),
             Value::Matrix(_) | Value::Zero => {

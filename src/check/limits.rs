@@ -10,12 +10,13 @@ mod ways;
 
 use super::Checker;
 use super::edit::{Address, Change, Replacement};
-use crate::domain::Symbolic;
+use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
+use crate::expr::walk::{children, children_mut};
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::FunctionTable;
-use crate::model::links::{Link, Place, children, children_mut};
+use crate::model::links::{Link, Place};
 use crate::model::names::Resolved;
 use crate::theory::limit::{Behaviour, Limit, Towards};
 use crate::verdict::certificate::{Leading, Steps};
@@ -140,7 +141,7 @@ impl Checker<'_> {
             let mut moving = link.left.find(&display)?.clone();
             set_moving(&mut moving, approach);
             let letter = self.model.letter_of_symbol(approach.symbol, 0)?;
-            match self.exact.expression(&moving).ok()? {
+            match self.exact.expression_without_cases(&moving).ok()? {
                 Value::Scalar(value) => Some((self.spelt_out(&value)?, letter)),
                 Value::Matrix(_) | Value::Zero => None,
             }
@@ -212,7 +213,7 @@ impl Checker<'_> {
         let goal = match infinite(right) {
             Some(Sign::Plus) => Printed::Infinite,
             Some(Sign::Minus) => Printed::MinusInfinite,
-            None => match self.exact.expression(right)? {
+            None => match self.exact.expression_without_cases(right)? {
                 Value::Zero => Printed::To(RationalFunction::zero(self.model.ring)),
                 Value::Scalar(printed) => {
                     Printed::To(self.spelt_out(&printed).ok_or_else(missing)?)
@@ -234,7 +235,25 @@ impl Checker<'_> {
         let mut found: Vec<Result<Found, Failure>> = Vec::new();
         let cases = loop {
             let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(&moving);
+            let before = std::mem::take(&mut self.exact.conditions);
             let (value, cases) = self.exact.in_case(found.len(), value);
+            let met = std::mem::replace(&mut self.exact.conditions, before);
+            // On its way the letter leaves the range of a definition; ends that are letters are as far out as
+            // the limit needs them.
+            if let Some(approach) = approach
+                && let Some(letter) = self.model.letter_of_symbol(approach.symbol, 0)
+                && met.iter().any(|c| {
+                    let behind = self.exact.field.letters_behind(&c.divisor);
+                    matches!(c.origin, Origin::Range(_)) && behind.iter().eq([&letter])
+                })
+            {
+                return Err(unsupported("a limit outside of the range of a definition"));
+            }
+            for condition in met {
+                if !self.exact.conditions.contains(&condition) {
+                    self.exact.conditions.push(condition);
+                }
+            }
             found.push(match value {
                 Err(Failure {
                     kind: FailureKind::Divergent { positive: true, .. },
@@ -404,7 +423,10 @@ impl Checker<'_> {
         let Shown::CounterProof(CounterProof::Limit(Limit::To(left))) = flaw else {
             return Vec::new();
         };
-        let right = link.right.find(display).map(|e| self.exact.expression(e));
+        let right = link
+            .right
+            .find(display)
+            .map(|e| self.exact.expression_without_cases(e));
         match right {
             Some(Ok(Value::Scalar(right))) => vec![ResidualEntry {
                 indices: Vec::new(),

@@ -69,7 +69,9 @@ impl Checker<'_> {
                 return Ok(None);
             }
             let before = self.exact.conditions.len();
-            let value = self.exact.expression(&hypothesis.difference());
+            let value = self
+                .exact
+                .expression_without_cases(&hypothesis.difference());
             let met = self.exact.conditions.split_off(before);
             divisors.extend(met.iter().map(|c| c.divisor.numerator().clone()));
             match value {

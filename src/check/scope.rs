@@ -6,9 +6,10 @@
 
 use super::Checker;
 use super::edit::{self, Address, Replacement};
+use crate::expr::walk::children;
 use crate::expr::{Display, Expr, ExprKind, Name};
 use crate::latex;
-use crate::model::links::{Link, Place, children};
+use crate::model::links::{Link, Place};
 use crate::verdict::certificate::Steps;
 use crate::verdict::{Changed, Correction, Edit, EditClass, Refutation, Shown, Structure, Verdict};
 

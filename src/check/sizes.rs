@@ -8,9 +8,10 @@
 
 use super::{Verdicts, words};
 use crate::document::VerdictWord;
+use crate::expr::walk::visit;
 use crate::expr::{Display, Expr, ExprKind, Relation};
 use crate::latex;
-use crate::model::links::{Place, visit};
+use crate::model::links::Place;
 use crate::model::{Hypothesis, Model, Node, NotationKind};
 use crate::verdict::{Outcome, Verdict};
 use std::collections::{BTreeMap, BTreeSet};

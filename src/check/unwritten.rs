@@ -11,8 +11,9 @@ use super::limits::mentions;
 use super::{Checker, Verdict};
 use crate::domain::Domain;
 use crate::evaluate::{self, Value};
+use crate::expr::walk::{children, visit};
 use crate::expr::{Expr, ExprKind, Function, Name, Relation};
-use crate::model::links::{Link, children, visit};
+use crate::model::links::Link;
 use crate::model::names::Resolved;
 use crate::model::{Hypothesis, Letter, Node};
 use crate::verdict::Positivity;
@@ -50,7 +51,8 @@ impl Checker<'_> {
                 }
             });
         }
-        let (mut tied, mut integrated, mut cornered, mut moments) = (false, false, false, false);
+        let (mut tied, mut integrated, mut cornered, mut moved, mut moments) =
+            (false, false, false, false, false);
         for place in [link.left, link.right] {
             let Some(side) = place.find(display) else {
                 continue;
@@ -64,13 +66,16 @@ impl Checker<'_> {
                         ..
                     } if !self.model.is_time(variable) => {
                         tied |= self.ties(equation, variable) || self.pinches(equation, variable);
+                        // The curly one holds all others fixed.
+                        moved |= !self.model.is_partial(e.span) && self.moves_with(body, variable);
                         cornered |= self.ends_at(equation, variable) && self.has_corners(body);
                     }
                     ExprKind::Derivative { body, .. } => {
                         cornered |= self.has_bounded_process(equation) && self.has_corners(body);
                     }
-                    ExprKind::Integral { variable, .. } => {
+                    ExprKind::Integral { variable, body, .. } => {
                         integrated |= self.ties(equation, variable);
+                        moved |= self.moves_with(body, variable);
                     }
                     _ => {}
                 }
@@ -89,6 +94,12 @@ impl Checker<'_> {
             return Some(
                 "a hypothesis ties what is random: which moments it has then is not written",
             );
+        }
+        if moved {
+            return Some("how processes go with each other is not written");
+        }
+        if self.moves_by_itself(equation) {
+            return Some("a hypothesis is about a process whose motion the document determines");
         }
         if integrated {
             return Some("a hypothesis ties the letter over which is integrated");
@@ -162,6 +173,27 @@ impl Checker<'_> {
         })
     }
 
+    /// Whether an equation among the hypotheses is about a process of which the document gives a rate.
+    fn moves_by_itself(&self, equation: usize) -> bool {
+        let mut found = false;
+        let equations = self.hypotheses_of(equation);
+        for h in equations.filter(|h| h.relation == Relation::Equal) {
+            for side in [&h.left, &h.right] {
+                visit(side, &mut |e| {
+                    if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
+                        let plain = name.undotted();
+                        if let Ok(Resolved::Letter { symbol, .. }) =
+                            self.model.resolve(&plain, &|_| false)
+                        {
+                            found |= self.is_process(symbol) && self.has_own_motion(symbol);
+                        }
+                    }
+                });
+            }
+        }
+        found
+    }
+
     /// Whether the range of a letter, declared or supposed, has an end that belongs to it.
     fn ends_at(&self, equation: usize, name: &Name) -> bool {
         let mut bounds = self
@@ -209,13 +241,24 @@ impl Checker<'_> {
         let Ok(Resolved::Letter { symbol: goes, .. }) = model.resolve(letter, &|_| false) else {
             return false;
         };
+        // With a process its rates move, the time, and all that changes with the time.
+        let process = self.is_process(goes);
         let mut found = false;
         let display = |e: usize| self.exact.display(e);
         model.visit_behind(expr, &display, &mut |e| {
-            if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
-                && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
-            {
-                found |= model.argument_symbols(symbol).any(|s| s == goes);
+            if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
+                match model.resolve(name, &|_| false) {
+                    Ok(Resolved::Letter { symbol, order }) => {
+                        found |= model.argument_symbols(symbol).any(|s| s == goes);
+                        found |= process
+                            && (symbol == goes && order > 0
+                                || symbol != goes && self.is_process(symbol)
+                                || model.is_time(name));
+                    }
+                    Ok(Resolved::Node { derivatives, .. }) => found |= process && derivatives > 0,
+                    Ok(Resolved::Bound(_) | Resolved::Primed { .. } | Resolved::Indexed { .. })
+                    | Err(_) => {}
+                }
             }
         });
         found
@@ -229,13 +272,39 @@ impl Checker<'_> {
         sides.any(|side| self.is_random(side))
     }
 
+    /// Whether a node is defined as a letter, or as a matrix of letters: values that the document does not
+    /// compute.
+    fn is_given_by_letters(&self, node: Node) -> bool {
+        let Node::Definition(d) = node else {
+            return false;
+        };
+        let definition = &self.model.definitions[d];
+        let display = self.exact.display(definition.equation);
+        let mut plain = true;
+        let Some(value) = definition.place.find(display) else {
+            return false;
+        };
+        visit(value, &mut |e| {
+            plain &= match &e.kind {
+                ExprKind::Name(_)
+                | ExprKind::Number(_)
+                | ExprKind::Matrix { .. }
+                | ExprKind::Group { .. } => true,
+                _ => false,
+            };
+        });
+        plain
+    }
+
     /// Whether letters that the entries of a covariance are given in stand behind a link.
     pub(super) fn has_moments(&self, equation: usize, link: &Link) -> bool {
         let model = self.model;
         let display = |e: usize| self.exact.display(e);
         let mut behind = BTreeSet::new();
         for (_, node, _) in model.covariances() {
-            behind.extend(model.symbols_behind(node, &display));
+            if self.is_given_by_letters(node) {
+                behind.extend(model.symbols_behind(node, &display));
+            }
         }
         behind.retain(|s| !self.is_process(*s));
         if behind.is_empty() {
@@ -355,7 +424,7 @@ impl Checker<'_> {
         let mut equations = Vec::new();
         for hypothesis in tied {
             match hypothesis.relation {
-                Relation::Equal => match exact.expression(&hypothesis.difference()) {
+                Relation::Equal => match exact.expression_without_cases(&hypothesis.difference()) {
                     Ok(Value::Scalar(value)) => equations.push(value),
                     Ok(Value::Matrix(m)) => equations.extend(m.iter().cloned()),
                     Ok(Value::Zero) => {}

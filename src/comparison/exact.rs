@@ -17,7 +17,7 @@ pub(super) type Exact = evaluate::Value<RationalFunction>;
 /// The exact value of an expression, if it has one and holds no process.
 pub(super) fn number(exact: &mut evaluate::Evaluator<'_, Symbolic>, expr: &Expr) -> Option<Exact> {
     let model = exact.model();
-    let value = exact.expression(expr).ok()?;
+    let value = exact.expression_without_cases(expr).ok()?;
     let valued = value.entries().iter().all(|f| {
         let parts = [f.numerator(), f.denominator()];
         parts

@@ -11,11 +11,11 @@ use super::jet::Jet;
 use super::letters::LayerKind;
 use super::value::Value;
 use super::world::normal;
+use crate::expr::walk::children;
 use crate::expr::{Expr, Font};
 use crate::latex::write_expr;
 use crate::matrix::Matrix;
 use crate::model::Node;
-use crate::model::links::children;
 use crate::span::Span;
 use std::collections::BTreeMap;
 

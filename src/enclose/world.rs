@@ -4,9 +4,10 @@
 use super::evaluator::Key;
 use super::point::Point;
 use super::value::Value;
+use crate::expr::walk::children;
 use crate::expr::{Chain, Display, Expr, ExprKind, Name, Relation};
 use crate::latex;
-use crate::model::links::{Place, children};
+use crate::model::links::Place;
 use crate::model::names::Resolved;
 use crate::model::{Definition, DefinitionKind, Model, Node};
 use crate::real::Complex;

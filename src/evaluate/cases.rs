@@ -83,6 +83,21 @@ impl<D: Domain> Evaluator<'_, D> {
         &self.choice.supposed
     }
 
+    /// The value of an expression that has the same one in all cases.
+    ///
+    /// # Errors
+    /// As [`Evaluator::expression`], and where the value is another one from case to case.
+    pub(crate) fn expression_without_cases(&mut self, expr: &Expr) -> Result<Value<D::Element>> {
+        let (value, cases) = self.in_case(0, |e| e.expression(expr));
+        match cases {
+            0 | 1 => value,
+            _ => value.and(Err(Failure::unsupported(
+                "what is defined by cases",
+                expr.span,
+            ))),
+        }
+    }
+
     /// The results of `body` in each case of the definitions by cases that it meets, with the number of
     /// the case from 0; one without a number where it meets none.
     ///
@@ -169,8 +184,8 @@ impl<D: Domain> Evaluator<'_, D> {
             }
             Some(_) => {
                 let choice = self.choice.case / self.choice.radix % choices;
-                self.choice.radix *= choices;
-                if self.choice.radix > MOST_CASES {
+                let radix = self.choice.radix.saturating_mul(choices);
+                if radix > MOST_CASES {
                     return Err(Failure::new(
                         FailureKind::Budget {
                             what: "combinations of cases".into(),
@@ -178,7 +193,8 @@ impl<D: Domain> Evaluator<'_, D> {
                         span,
                     ));
                 }
-                self.choice.met = self.choice.met.max(self.choice.radix);
+                self.choice.radix = radix;
+                self.choice.met = self.choice.met.max(radix);
                 choice
             }
         };
@@ -224,6 +240,9 @@ impl<D: Domain> Evaluator<'_, D> {
                 };
                 value.is_ok_and(letters)
             });
+        if self.field.functions().is_none() {
+            self.leave_range_open(range, span);
+        }
         match self.standing(range) {
             Ok(Standing::False) | Err(_) if by_letters => Ok(()),
             Err(failure) => Err(failure),
@@ -243,6 +262,34 @@ impl<D: Domain> Evaluator<'_, D> {
                 self.choice.met = self.choice.met.max(self.choice.radix);
                 self.choice.supposed.extend(supposed);
                 Ok(())
+            }
+        }
+    }
+
+    /// Leaves it as conditions that the letters of a function lie in a range, over a field that knows no signs.
+    fn leave_range_open(&mut self, range: &[Chain], span: Span) {
+        for chain in range {
+            for (pair, relation) in chain.members.windows(2).zip(&chain.relations) {
+                let (lower, upper) = match relation {
+                    Relation::Less | Relation::LessEqual => (&pair[0], &pair[1]),
+                    Relation::Greater | Relation::GreaterEqual => (&pair[1], &pair[0]),
+                    _ => continue,
+                };
+                if infinite(lower).is_some() || infinite(upper).is_some() {
+                    continue;
+                }
+                let (Ok(Value::Scalar(lower)), Ok(Value::Scalar(upper))) =
+                    (self.expression(lower), self.expression(upper))
+                else {
+                    continue;
+                };
+                let divisor = self.field.subtract(&upper, &lower);
+                if !self.field.letters(&divisor).is_empty() {
+                    self.conditions.push(super::Condition {
+                        divisor,
+                        origin: super::Origin::Range(span),
+                    });
+                }
             }
         }
     }

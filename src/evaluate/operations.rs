@@ -233,7 +233,7 @@ impl<D: Domain> Evaluator<'_, D> {
 /// Whether an exponent is an integer, and too large for one.
 fn exceeds_all_integers(exponent: &Expr) -> bool {
     let mut whole = true;
-    crate::model::links::visit(exponent, &mut |e| {
+    crate::expr::walk::visit(exponent, &mut |e| {
         whole &= match &e.kind {
             ExprKind::Number(n) => n.is_integer(),
             ExprKind::Group { .. } | ExprKind::Sum(_) => true,

@@ -184,7 +184,7 @@ impl<D: Domain> Evaluator<'_, D> {
         for node in used {
             found |= self.symbols_behind(node).iter().any(is_process);
         }
-        crate::model::links::visit(body, &mut |e| {
+        crate::expr::walk::visit(body, &mut |e| {
             if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
                 && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
             {
@@ -313,7 +313,7 @@ impl<D: Domain> Evaluator<'_, D> {
         for node in used {
             clocks.extend(self.clocks(node));
         }
-        crate::model::links::visit(body, &mut |e| {
+        crate::expr::walk::visit(body, &mut |e| {
             if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
                 && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
             {

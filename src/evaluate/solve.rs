@@ -9,10 +9,10 @@
 
 use super::{Condition, Evaluator, Failure, FailureKind, Origin, Value, value};
 use crate::domain::Domain;
+use crate::expr::walk::visit;
 use crate::expr::{Font, Name};
 use crate::matrix::Matrix;
 use crate::model::Node;
-use crate::model::links::visit;
 use crate::span::Span;
 use crate::theory::arithmetic;
 use crate::theory::error::TheoryError;

@@ -98,7 +98,7 @@ impl<'m> Quantity<'m> {
         }
         let world = World::new(model, letters).corrected_as(source.exact.world());
         let mut exact = world.inserting().evaluator(model.field());
-        let value = exact.expression(&expr);
+        let value = exact.expression_without_cases(&expr);
         let symbolic = match value {
             Ok(Value::Scalar(f)) => Some(f),
             Ok(other) => {
@@ -206,7 +206,7 @@ impl<'m> Quantity<'m> {
     ) -> Result<BigRational, Obstacle> {
         let world = World::new(self.model, letters).corrected_as(source.exact.world());
         let mut evaluator = world.inserting().evaluator(Rationals);
-        match evaluator.expression(&self.expr) {
+        match evaluator.expression_without_cases(&self.expr) {
             Ok(Value::Scalar(value)) => Ok(value),
             Ok(_) => Err(Obstacle::Beyond("not a scalar".into())),
             Err(failure) => Err(obstacle(failure, self.span)),

@@ -4,9 +4,9 @@ use super::links::each_expression;
 use super::names::{Element, Resolved, literal_integer};
 use super::{DefinitionKind, Model, Node, NotationKind, Role};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::expr::walk::children;
 use crate::expr::{Chain, Display, Expr, ExprKind};
 use crate::latex;
-use crate::model::links::children;
 use crate::span::Span;
 use std::collections::BTreeSet;
 
@@ -335,7 +335,7 @@ impl Model {
     ) {
         let mut seen = BTreeSet::new();
         let mut open = BTreeSet::new();
-        super::links::visit(expr, &mut |e| {
+        crate::expr::walk::visit(expr, &mut |e| {
             see(e);
             self.collect_name(e, &mut open);
         });
@@ -374,18 +374,18 @@ impl Model {
             Node::Definition(d) => {
                 let definition = &self.definitions[d];
                 if let Some(value) = definition.place.find(display(definition.equation)) {
-                    super::links::visit(value, &mut |e| {
+                    crate::expr::walk::visit(value, &mut |e| {
                         see(e);
                         // Which case it is depends on the letters of the conditions.
                         for member in conditions(e).flat_map(|chain| &chain.members) {
-                            super::links::visit(member, &mut |c| see(c));
+                            crate::expr::walk::visit(member, &mut |c| see(c));
                         }
                     });
                 }
             }
             Node::Notation(n) => {
                 if let Some(target) = self.notation[n].kind.target() {
-                    super::links::visit(target, &mut |e| see(e));
+                    crate::expr::walk::visit(target, &mut |e| see(e));
                 }
             }
             Node::Unknown { system, .. } => {
@@ -396,7 +396,7 @@ impl Model {
 
     /// The nodes that an expression uses directly.
     pub fn collect(&self, expr: &Expr, found: &mut BTreeSet<Node>) {
-        super::links::visit(expr, &mut |e| self.collect_name(e, found));
+        crate::expr::walk::visit(expr, &mut |e| self.collect_name(e, found));
     }
 
     /// What an expectation is computed from: the covariances and their vectors.

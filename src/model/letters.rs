@@ -1,6 +1,5 @@
 //! The letters of the ring: symbols, their time derivatives, and abbreviations.
 
-use super::links;
 use super::links::each_expression;
 use super::matrices::MatrixSymbol;
 use super::{
@@ -257,7 +256,7 @@ impl Model {
         let display = &self.equations[definition.equation].display;
         let mut complex = false;
         if let Some(value) = definition.place.find(display) {
-            links::visit(value, &mut |e| {
+            crate::expr::walk::visit(value, &mut |e| {
                 let ExprKind::Name(name) = &e.kind else {
                     return;
                 };
@@ -286,7 +285,7 @@ impl Model {
             return false;
         };
         let mut positive = true;
-        links::visit(value, &mut |e| match &e.kind {
+        crate::expr::walk::visit(value, &mut |e| match &e.kind {
             ExprKind::Sum(terms) => positive &= terms.iter().all(|(sign, _)| *sign == Sign::Plus),
             ExprKind::Number(n) => positive &= n.is_positive(),
             ExprKind::Name(name) => {
@@ -317,7 +316,7 @@ impl Model {
         };
         let mut arithmetic = true;
         let mut letters = 0;
-        links::visit(value, &mut |e| match &e.kind {
+        crate::expr::walk::visit(value, &mut |e| match &e.kind {
             ExprKind::Number(_)
             | ExprKind::Sum(_)
             | ExprKind::Product(_)

@@ -4,6 +4,7 @@
 //! A [`Place`] addresses an expression inside a display without borrowing it, so that the same
 //! link can be read off the display as printed and off a corrected copy of the same structure.
 
+use crate::expr::walk::{children_mut, visit};
 use crate::expr::{Chain, Display, Expr, ExprKind, Relation};
 
 /// Where in a display an expression stands.
@@ -120,15 +121,6 @@ pub fn underbraces(chain: &Chain) -> Vec<(&Expr, &Chain)> {
     found
 }
 
-/// Calls `see` on every expression of a tree, parents first, in reading order; the labels of
-/// underbraces and the indices of names are not entered.
-pub fn visit<'a>(expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
-    see(expr);
-    for child in children(expr) {
-        visit(child, see);
-    }
-}
-
 /// Calls `see` on every expression of a display, including the labels of underbraces.
 pub fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr)) {
     for clause in &display.clauses {
@@ -140,73 +132,6 @@ pub fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr))
                 visit(member, see);
             }
         }
-    }
-}
-
-/// The direct subexpressions, in reading order; the labels of underbraces and the indices of
-/// names are not among them.
-pub fn children(expr: &Expr) -> Vec<&Expr> {
-    match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Infinity | ExprKind::Constant => {
-            Vec::new()
-        }
-        ExprKind::Apply { arguments, .. } => arguments.iter().collect(),
-        ExprKind::Call { argument, .. } => vec![argument],
-        ExprKind::Sum(terms) => terms.iter().map(|(_, e)| e).collect(),
-        ExprKind::Product(items) | ExprKind::Tuple(items) => items.iter().collect(),
-        ExprKind::Quotient {
-            numerator,
-            denominator,
-            ..
-        } => vec![numerator, denominator],
-        ExprKind::Power { base, exponent } => vec![base, exponent],
-        ExprKind::Transpose(inner)
-        | ExprKind::Group { inner, .. }
-        | ExprKind::Expectation(inner)
-        | ExprKind::Derivative { body: inner, .. }
-        | ExprKind::Underbrace { body: inner, .. }
-        | ExprKind::Named { value: inner, .. } => vec![inner],
-        ExprKind::Matrix { rows, .. } => rows.iter().flatten().collect(),
-        ExprKind::BigSum { from, to, body, .. } => vec![from, to, body],
-        ExprKind::Integral { limits, body, .. } => limits
-            .iter()
-            .flat_map(|(a, b)| [&**a, &**b])
-            .chain([&**body])
-            .collect(),
-        ExprKind::Cases(cases) => cases.iter().map(|(e, _)| e).collect(),
-    }
-}
-
-/// The direct subexpressions, to be changed; the same ones as [`children`] in the same order.
-pub fn children_mut(expr: &mut Expr) -> Vec<&mut Expr> {
-    match &mut expr.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Infinity | ExprKind::Constant => {
-            Vec::new()
-        }
-        ExprKind::Apply { arguments, .. } => arguments.iter_mut().collect(),
-        ExprKind::Call { argument, .. } => vec![argument],
-        ExprKind::Sum(terms) => terms.iter_mut().map(|(_, e)| e).collect(),
-        ExprKind::Product(items) | ExprKind::Tuple(items) => items.iter_mut().collect(),
-        ExprKind::Quotient {
-            numerator,
-            denominator,
-            ..
-        } => vec![numerator, denominator],
-        ExprKind::Power { base, exponent } => vec![base, exponent],
-        ExprKind::Transpose(inner)
-        | ExprKind::Group { inner, .. }
-        | ExprKind::Expectation(inner)
-        | ExprKind::Derivative { body: inner, .. }
-        | ExprKind::Underbrace { body: inner, .. }
-        | ExprKind::Named { value: inner, .. } => vec![inner],
-        ExprKind::Matrix { rows, .. } => rows.iter_mut().flatten().collect(),
-        ExprKind::BigSum { from, to, body, .. } => vec![from, to, body],
-        ExprKind::Integral { limits, body, .. } => limits
-            .iter_mut()
-            .flat_map(|(a, b)| [&mut **a, &mut **b])
-            .chain([&mut **body])
-            .collect(),
-        ExprKind::Cases(cases) => cases.iter_mut().map(|(e, _)| e).collect(),
     }
 }
 

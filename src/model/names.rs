@@ -125,7 +125,7 @@ pub fn literal_number(expr: &Expr) -> Option<BigRational> {
 /// Whether an expression can be an index: integers and bound letters.
 pub fn is_index(expr: &Expr, bound: &dyn Fn(&str) -> bool) -> bool {
     let mut plain = true;
-    super::links::visit(expr, &mut |e| {
+    crate::expr::walk::visit(expr, &mut |e| {
         plain &= match &e.kind {
             ExprKind::Name(name) => bound(&latex::canonical(name)),
             ExprKind::Number(n) => n.is_integer(),

@@ -4,10 +4,10 @@
 //! binds the letter again (an integral, a derivative), or reaches it by another name (a definition, a process
 //! that is a function of it), the print does not say which of the two is meant.
 
-use super::links::children;
 use super::names::Resolved;
 use super::{Model, Node};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::expr::walk::children;
 use crate::expr::{Expr, ExprKind, Name};
 use crate::latex;
 use crate::span::Span;

@@ -3,9 +3,10 @@
 
 use super::dependence::LinkAt;
 use super::rewritings::is_scalar;
+use crate::expr::walk::{children, children_mut};
 use crate::expr::{Bracket, Display, Expr, ExprKind, Name, QuotientStyle, Relation};
 use crate::latex;
-use crate::model::links::{children, children_mut, each_expression};
+use crate::model::links::each_expression;
 use crate::model::{Letter, Model};
 use num_rational::BigRational;
 use std::ops::RangeInclusive;

@@ -103,7 +103,7 @@ fn abbreviates_no_more(model: &Model, e: usize, display: &Display) -> bool {
 /// Whether an expression is arithmetic on names of constants.
 fn is_constant(model: &Model, value: &Expr) -> bool {
     let mut constant = true;
-    crate::model::links::visit(value, &mut |e| {
+    crate::expr::walk::visit(value, &mut |e| {
         constant &= match &e.kind {
             ExprKind::Number(_)
             | ExprKind::Sum(_)

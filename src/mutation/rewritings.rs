@@ -7,11 +7,12 @@
 
 use super::dependence::LinkAt;
 use super::fresh::{Anew, renamed, scaled, with_definition};
+use crate::expr::walk::{children, children_mut};
 use crate::expr::{
     Bracket, Chain, Clause, Display, Expr, ExprKind, Function, QuotientStyle, Relation, Sign,
 };
 use crate::latex;
-use crate::model::links::{Place, children, children_mut, underbraces};
+use crate::model::links::{Place, underbraces};
 use crate::model::names::Resolved;
 use crate::model::{Model, Node, Role};
 use crate::span::Span;

@@ -189,7 +189,7 @@ impl<R: Resolver> Evaluator<'_, R> {
     /// k where the integrand has a factor cos(k x + c); 0 where it has none.
     fn angular_rate(&mut self, body: &Expr, letter: R::Node) -> Result<f64, Failure> {
         let mut angle = None;
-        crate::model::links::visit(body, &mut |e| {
+        crate::expr::walk::visit(body, &mut |e| {
             if let ExprKind::Call {
                 function: Function::Cosine | Function::Sine,
                 argument,

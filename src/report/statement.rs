@@ -4,7 +4,6 @@ use crate::audit::Audit;
 use crate::document::{Predicate, VerdictWord};
 use crate::expr::{Expr, ExprKind};
 use crate::latex;
-use crate::model::links;
 use crate::model::names::Resolved;
 use crate::model::range::Range;
 use crate::model::statement::Proposition;
@@ -539,7 +538,7 @@ impl Writer<'_> {
             for node in nodes {
                 behind.extend(model.symbols_behind(node, &|e| model.display(e)));
             }
-            links::visit(expr, &mut |e| {
+            crate::expr::walk::visit(expr, &mut |e| {
                 if let ExprKind::Name(name) = &e.kind
                     && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
                 {

@@ -251,7 +251,12 @@ impl<'m> Quantities<'m> {
 }
 
 fn value(exact: &mut Evaluator<'_, Symbolic>, key: Key) -> Option<Value<RationalFunction>> {
-    match exact.value_of(key, Span::default()) {
+    // A formula of one case would pass for that of all.
+    let (value, cases) = exact.in_case(0, |exact| exact.value_of(key, Span::default()));
+    if cases > 1 {
+        return None;
+    }
+    match value {
         Ok(Value::Zero) | Err(_) => None,
         Ok(value) => Some(value),
     }

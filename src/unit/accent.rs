@@ -4,9 +4,9 @@
 //! a tilde would. Such names are known by the dotted letter here, so that nothing is divided by
 //! seconds on their account.
 
+use crate::expr::walk::children_mut;
 use crate::expr::{Chain, Display, Expr, ExprKind, Letter, Name};
 use crate::latex::canonical;
-use crate::model::links::children_mut;
 use std::collections::BTreeSet;
 
 /// The letters with dots that are letters of their own.

@@ -15,9 +15,10 @@ use rederive::check::Options;
 use rederive::check::edit::form::same_reading;
 use rederive::check::edit::{Context, singles};
 use rederive::document::VerdictWord;
+use rederive::expr::walk::children;
 use rederive::expr::{Display, Expr, ExprKind, Function, Sign};
 use rederive::latex;
-use rederive::model::links::{Link, Place, children};
+use rederive::model::links::{Link, Place};
 use rederive::verdict::{Ended, Outcome, Verdict};
 use std::collections::BTreeMap;
 

@@ -1,7 +1,8 @@
 //! The way to a subexpression of a display, and what stands around it.
 
+use crate::expr::walk::{children, children_mut};
 use crate::expr::{Display, Expr, ExprKind};
-use crate::model::links::{Place, children, children_mut};
+use crate::model::links::Place;
 
 /// The way to a subexpression: a place of the display and the numbers of the children.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,8 +3,9 @@
 
 use super::build::{number, sum};
 use super::{Replacement, Scene, Site, sites};
+use crate::expr::walk::visit;
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
-use crate::model::links::{Place, visit};
+use crate::model::links::Place;
 use crate::verdict::EditClass;
 
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {

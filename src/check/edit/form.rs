@@ -4,9 +4,10 @@
 //! and multiplies no bracket out: `ab/c` and `b(a/c)` have one form, `(a + b)^2` and
 //! `a^2 + 2ab + b^2` two. What is no sum or product, such as a cosine, has the forms of its parts.
 
+use crate::expr::walk::{children, children_mut, visit};
 use crate::expr::{Display, Expr, ExprKind, Font, Function, Sign};
 use crate::latex;
-use crate::model::links::{Link, children, children_mut, visit};
+use crate::model::links::Link;
 use crate::model::names::literal_integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero, pow};

@@ -4,9 +4,9 @@
 use super::build::{number, sum};
 use super::letter::{name_of, with_name};
 use super::{Address, Replacement, Scene, Site};
+use crate::expr::walk::{children_mut, visit};
 use crate::expr::{Display, Expr, ExprKind, Name, Sign, Subscript};
 use crate::latex;
-use crate::model::links::{children_mut, visit};
 use crate::model::names::literal_integer;
 use crate::verdict::EditClass;
 use std::collections::BTreeSet;

@@ -138,7 +138,7 @@ pub(super) fn may_be_matrix(expr: &Expr) -> bool {
         ExprKind::Power { base, .. } => may_be_matrix(base),
         ExprKind::Group { .. } => {
             let mut any = false;
-            crate::model::links::visit(expr, &mut |e| {
+            crate::expr::walk::visit(expr, &mut |e| {
                 any |= bold(e) || matches!(e.kind, ExprKind::Matrix { .. });
             });
             any

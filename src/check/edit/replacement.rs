@@ -5,9 +5,9 @@
 //! times the number of kinds of slips, not times its own length.
 
 use super::{Address, Site, build, cost_of};
+use crate::expr::walk::visit;
 use crate::expr::{Display, Expr, ExprKind, Sign};
 use crate::latex;
-use crate::model::links::visit;
 use crate::verdict::{Edit, EditClass};
 
 /// A subexpression and what to put in its place.

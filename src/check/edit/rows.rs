@@ -38,7 +38,7 @@ pub fn braces_under_all_rows(display: &Display, place: Place) -> Vec<Replacement
                 }),
             });
         }
-        crate::model::links::visit(member, &mut |e| {
+        crate::expr::walk::visit(member, &mut |e| {
             brace += usize::from(matches!(e.kind, ExprKind::Underbrace { .. }));
         });
     }

@@ -6,8 +6,8 @@ use super::build::{factor, factors, number, product, quotient, sum, terms};
 use super::literal::left_out;
 use super::mark::may_be_matrix;
 use super::{Change, Kind, LONG, Replacement, Scene, Site, name_of};
+use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind, QuotientStyle, Sign};
-use crate::model::links::visit;
 use crate::verdict::EditClass;
 
 /// Terms of the equation that are tried in its sums.

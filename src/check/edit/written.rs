@@ -5,9 +5,9 @@
 //! whether an edit leaves more of these than there were.
 
 use super::form::{is_ordered, monomial_of};
+use crate::expr::walk::{children, visit};
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::latex;
-use crate::model::links::{children, visit};
 use crate::model::names::literal_integer;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -51,7 +51,7 @@ pub fn arranged(expr: &Expr) -> String {
 /// What an expression with parts is, without them.
 fn head(expr: &Expr) -> String {
     let mut empty = expr.clone();
-    for part in crate::model::links::children_mut(&mut empty) {
+    for part in crate::expr::walk::children_mut(&mut empty) {
         part.kind = ExprKind::Infinity;
     }
     latex::write_expr(&empty)

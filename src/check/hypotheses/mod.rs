@@ -231,7 +231,9 @@ impl<'m> Checker<'m> {
         let orders = hypotheses.iter().filter(|h| !equations(h));
         for hypothesis in orders.chain(hypotheses.iter().filter(equations)) {
             exact.conditions.clear();
-            let value = match exact.expression(&hypothesis.difference()) {
+            let difference = hypothesis.difference();
+            // It says something else in each of several cases.
+            let value = match exact.expression_without_cases(&difference) {
                 Ok(value) => value,
                 Err(failure) => return Err(self.unusable(&failure)),
             };

@@ -253,7 +253,10 @@ impl<'m> Checker<'m> {
             if hypothesis.relation != Relation::Equal {
                 continue;
             }
-            let Ok(Value::Scalar(value)) = self.exact.expression(&hypothesis.difference()) else {
+            let Ok(Value::Scalar(value)) = self
+                .exact
+                .expression_without_cases(&hypothesis.difference())
+            else {
                 continue;
             };
             let Ok(rest) = image(self.functions(), &value, &replaced) else {

@@ -134,10 +134,11 @@ impl<'m> Checker<'m> {
             span: left.span,
         };
         let conditions = self.exact.conditions.clone();
-        let mut difference = |h: &Hypothesis| match self.exact.expression(&h.difference()) {
-            Ok(Value::Scalar(value)) if !value.is_zero() => Some(value),
-            _ => None,
-        };
+        let mut difference =
+            |h: &Hypothesis| match self.exact.expression_without_cases(&h.difference()) {
+                Ok(Value::Scalar(value)) if !value.is_zero() => Some(value),
+                _ => None,
+            };
         let found = difference(&claim).is_some_and(|claim| {
             hypotheses.iter().any(|h| {
                 let quotient = difference(h).and_then(|said| claim.checked_div(&said).ok());
@@ -155,7 +156,8 @@ impl<'m> Checker<'m> {
         }
         let point = self.reference_point();
         hypotheses.iter().any(|h| {
-            let Ok(Value::Scalar(value)) = self.exact.expression(&h.difference()) else {
+            let Ok(Value::Scalar(value)) = self.exact.expression_without_cases(&h.difference())
+            else {
                 return false;
             };
             let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());

@@ -100,7 +100,7 @@ impl Checker<'_> {
         if range.numbers == Numbers::Integer {
             return unsupported("a limit where an integer cannot go");
         }
-        let goal = match self.exact.expression(&approach.goal)? {
+        let goal = match self.exact.expression_without_cases(&approach.goal)? {
             Value::Zero => RationalFunction::zero(self.model.ring),
             Value::Scalar(goal) => match self.spelt_out(&goal) {
                 Some(goal) => goal,

@@ -212,7 +212,7 @@ fn constant_or_cases(display: &Display, link: &Link) -> bool {
     let mut found = false;
     for place in [link.left, link.right] {
         if let Some(expr) = place.find(display) {
-            crate::model::links::visit(expr, &mut |e| {
+            crate::expr::walk::visit(expr, &mut |e| {
                 found |= matches!(e.kind, ExprKind::Constant | ExprKind::Cases(_));
             });
         }

@@ -14,8 +14,8 @@ use crate::check::edit::build::{factors, number, power, product, quotient, ratio
 use crate::check::edit::{Address, Change, Context, Kind, Replacement, cost_of, sites};
 use crate::domain::{Domain, PrimeField};
 use crate::evaluate::Value;
+use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind, Name, QuotientStyle, Sign};
-use crate::model::links::visit;
 use crate::model::names::literal_integer;
 use crate::span::Span;
 use crate::verdict::EditClass;

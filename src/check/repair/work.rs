@@ -5,8 +5,8 @@
 //! not what is computed once for all of them, so that the count is the same on any number of threads.
 
 use crate::evaluate::Value;
+use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind};
-use crate::model::links::visit;
 use ratpoly::RationalFunction;
 
 /// Steps for each node of an expression that the evaluator computes.

@@ -468,6 +468,18 @@ impl Ground {
         Found::undecided("more than one stationary point, or none within reach")
     }
 
+    /// Whether a polynomial vanishes at a value of a letter and at no other: what is left without that factor
+    /// has no zero. Of a factor more than once it is not said.
+    fn is_the_only_root(&self, p: &Polynomial, x: usize, value: &RationalFunction) -> bool {
+        let letter = RationalFunction::variable(self.ring, x);
+        let factor = (&letter - value).numerator().primitive_part();
+        let Some(rest) = p.div_exact(&factor) else {
+            return false;
+        };
+        let study = self.sign(&rest.into(), &Scope::Everywhere);
+        matches!(study.sign, Some(Sign::Positive | Sign::Negative)) && study.poles.is_empty()
+    }
+
     pub(super) fn extremal_at(
         &self,
         f: &RationalFunction,
@@ -483,9 +495,7 @@ impl Ground {
             && let Some(formula) = &at
             && extremum.scope == Scope::Everywhere
             && !self.letters_in(formula).contains(&x)
-            && let Ok(inserted) = RationalFunction::from(extremum.polynomial.clone())
-                .substitute(&[(x, formula.clone())])
-            && inserted.is_zero()
+            && self.is_the_only_root(&extremum.polynomial, x, formula)
             && self.lies_in_range(formula, x)
         {
             let mut found = Found::of(VerdictWord::Holds, vec![extremum.fact(x, false)]);

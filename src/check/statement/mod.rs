@@ -19,10 +19,10 @@ use super::Checker;
 use super::admissible::Admissible;
 use super::bounded;
 use crate::document::{Predicate, VerdictWord};
-use crate::evaluate::{Failure, Value};
+use crate::evaluate::{Failure, Origin, Value};
+use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind, Name};
 use crate::functions::{FunctionLetter, FunctionTable};
-use crate::model::links::visit;
 use crate::model::statement::Proposition;
 use crate::model::{Letter, Model};
 use crate::unit::{self, Units};
@@ -173,9 +173,14 @@ impl Checker<'_> {
     ) -> Result<RationalFunction, Failure> {
         let span = expr.span;
         let before = std::mem::take(&mut self.exact.conditions);
-        let value = self.exact.expression(expr);
+        let value = self.exact.expression_without_cases(expr);
         let vanishing = self.vanishing_divisor();
+        let cancelled = value.is_ok() && self.divides_by_what_is_gone(expr);
         self.exact.conditions = before;
+        if cancelled {
+            let what = "a statement about what has no value somewhere";
+            return Err(Failure::unsupported(what, span));
+        }
         if let Some(failure) = vanishing {
             return Err(failure);
         }
@@ -217,6 +222,23 @@ impl Checker<'_> {
             .map_err(pole)
     }
 
+    /// Whether something that may vanish is divided by, in an expression or behind it, and no longer seen
+    /// in its value.
+    fn divides_by_what_is_gone(&mut self, expr: &Expr) -> bool {
+        let world = self.exact.world().clone().inserting();
+        let mut expanding = self.exact.in_world(world);
+        let Ok(value) = expanding.expression_without_cases(expr) else {
+            return false;
+        };
+        self.exact.conditions = expanding.conditions;
+        let open = self.conditions().into_iter();
+        let mut open = open.filter(|c| c.because.is_none() && !is_about_existence(&c.origin));
+        open.any(|condition| {
+            let mut entries = value.entries().into_iter();
+            entries.all(|entry| entry.denominator().div_exact(&condition.factor).is_none())
+        })
+    }
+
     fn proposition(
         &mut self,
         p: &Proposition,
@@ -227,7 +249,7 @@ impl Checker<'_> {
             return Ok(closeness::measured_like(p, units));
         }
         if p.predicate == Predicate::Explicit {
-            let value = self.exact.expression(&p.of)?;
+            let value = self.exact.expression_without_cases(&p.of)?;
             return Ok(self.explicit(&value));
         }
         let mut letters: Vec<Name> = Vec::new();
@@ -289,6 +311,14 @@ impl Checker<'_> {
             (Predicate::SmallComparedWith, _) => ground.small(&f, to.as_ref(), p),
             _ => Found::undecided("nothing says for which letter"),
         })
+    }
+}
+
+/// Whether a condition asks for a sign, and for no value that is divided by.
+fn is_about_existence(origin: &Origin) -> bool {
+    match origin {
+        Origin::Stability(_) | Origin::Range(_) => true,
+        Origin::Divisor(_) | Origin::Determinant(_) => false,
     }
 }
 

@@ -6,11 +6,11 @@
 //! are put into the printed LaTeX, and what comes out is read back and compared with the corrected
 //! tree; where it is another one, the whole is written anew.
 
+use crate::expr::walk::{children, children_mut};
 use crate::expr::{Chain, Display, Expr, ExprKind, Font, Letter, Name, QuotientStyle};
 use crate::latex::{
     Signature, canonical, parse_display, write_display, write_expr, write_relation,
 };
-use crate::model::links::{children, children_mut};
 use crate::span::Span;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
