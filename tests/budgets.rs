@@ -170,14 +170,14 @@ fn definitions_behind_an_exponent_are_each_looked_at_once() {
 fn functions_of_functions_are_each_looked_at_once() {
     for step in ["e^{u} + u", "\\cos u + u", "\\sqrt{u + u^2}"] {
         let mut fences = vec![("define", "u_{0} = a".to_string())];
-        for k in 1..24 {
+        for k in 1..18 {
             let before = format!("u_{{{}}}", k - 1);
             fences.push((
                 "define",
                 format!("u_{{{k}}} = {}", step.replace('u', &before)),
             ));
         }
-        fences.push(("claim", "u_{23} = a".to_string()));
+        fences.push(("claim", "u_{17} = a".to_string()));
         let found = verdicts(&with_constants(&letters("a b"), &fences));
         assert_ne!(found.last().expect("a claim").word(), VerdictWord::Holds);
     }

@@ -154,6 +154,8 @@ fn products<M: PackedMonomial, C: Additive, A: ProductsOf<C>>(
     let row = bytes::<M, A>(g.len(), layout).max(1);
     let mut list = TermList::new();
     for rows in f.chunks((WAITING / row).max(1)) {
+        // The steps are paid for; here somebody who asks to stop is heard.
+        allowance::spend(0);
         let mut all: Vec<Term<M, A>> = Vec::with_capacity(rows.len() * g.len());
         for a in rows {
             for b in g {

@@ -4,6 +4,7 @@
 //! denominator's leading coefficient is positive, zero is 0/1. Sums and products are formed as by
 //! Henrici (1956; Knuth, TAOCP 2, 4.5.1): small gcds of the parts instead of one large gcd of the result.
 
+use crate::allowance;
 use crate::budget::Budget;
 use crate::error::Error;
 use crate::gcd::{Cofactors, gcd, gcd_cofactors_within};
@@ -401,6 +402,9 @@ impl From<Polynomial> for RationalFunction {
 
 static UNLIMITED: Budget = Budget::unlimited();
 
+/// What a common divisor counts at least in the steps of an allowance.
+const GCD: u64 = 60;
+
 /// Both polynomials without their common factor.
 fn cancel(
     f: &Polynomial,
@@ -410,6 +414,8 @@ fn cancel(
     if f.is_one() || g.is_one() {
         return Ok((f.clone(), g.clone()));
     }
+    // Also of the smallest operands it is some tens of operations.
+    allowance::spend(GCD);
     let Cofactors { first, second, .. } = gcd_cofactors_within(f, g, budget)?;
     Ok((first, second))
 }

@@ -13,15 +13,16 @@ use ratpoly::allowance::{self, Allowance, Exhausted};
 use std::sync::Arc;
 
 /// The most steps of one stage of a link: its proof, a second route, the search for a correction.
-const STEPS: u64 = 500_000_000;
+const STEPS: u64 = 250_000_000;
 /// What all stages of a link together may take: so many fifths of one.
 const STAGES: u64 = 6;
 /// The least, however much the others have cost.
 const FEWEST_STEPS: u64 = 5_000_000;
 /// The steps of a document, of which each takes its own.
 const DOCUMENT_STEPS: u64 = 1_000_000_000;
-/// How many steps of the engine a step of a search stands for at most, and some more for what passes.
-const SEARCH: u64 = 18;
+/// How many steps of the engine a step of a search stands for, and some more for what passes: where the
+/// engine is asked for functions, and where it is not.
+const SEARCH: [u64; 2] = [18, 8];
 /// The bytes of one polynomial.
 pub(super) const BYTES: usize = 32 << 20;
 
@@ -72,7 +73,12 @@ impl Checker<'_> {
     /// The steps that a search may take of what the options allow: it ends by itself before the
     /// allowance of its stage does.
     pub(super) fn work_of_a_search(&self) -> u64 {
-        self.options.work.min(self.allowance().steps / SEARCH)
+        let [asked, not_asked] = SEARCH;
+        let each = match self.model.functions {
+            Some(_) => asked,
+            None => not_asked,
+        };
+        self.options.work.min(self.allowance().steps / each)
     }
 
     /// What the next computation may cost: a part has no more than the whole has left.

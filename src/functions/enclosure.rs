@@ -21,7 +21,7 @@ const TAIL: usize = 330;
 const LARGEST_ARGUMENT: i64 = 100_000;
 
 /// What an operation on intervals counts in the steps of an allowance.
-const OPERATION: u64 = 1_000;
+const OPERATION: u64 = 1_500;
 
 /// All numbers from `low` to `high`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -85,21 +85,25 @@ impl Interval {
 
     fn multiply(&self, other: &Self) -> Self {
         allowance::spend(OPERATION);
-        let products = [
-            &self.low * &other.low,
-            &self.low * &other.high,
-            &self.high * &other.low,
-            &self.high * &other.high,
-        ];
-        let [mut low, mut high] = [products[0].clone(), products[0].clone()];
-        for p in &products[1..] {
-            if *p < low {
-                low = p.clone();
-            }
-            if *p > high {
-                high = p.clone();
-            }
-        }
+        let (a, b, c, d) = (&self.low, &self.high, &other.low, &other.high);
+        let not_negative = |x: &BigRational| !x.is_negative();
+        let not_positive = |x: &BigRational| !x.is_positive();
+        // Which ends have the least and the greatest product follows from their signs.
+        let (low, high) = if not_negative(a) {
+            let low = if not_negative(c) { a * c } else { b * c };
+            let high = if not_positive(d) { a * d } else { b * d };
+            (low, high)
+        } else if not_positive(b) {
+            let low = if not_positive(d) { b * d } else { a * d };
+            let high = if not_negative(c) { b * c } else { a * c };
+            (low, high)
+        } else if not_negative(c) {
+            (a * d, b * d)
+        } else if not_positive(d) {
+            (b * c, a * c)
+        } else {
+            ((a * d).min(b * c), (a * c).max(b * d))
+        };
         Interval::outwards(&low, &high)
     }
 
@@ -417,6 +421,23 @@ mod tests {
         let (cosine, sine) = cosine_and_sine(&integer(1)).unwrap();
         shows(cosine, "0.54030230586813971740094");
         shows(sine, "0.84147098480789650665250");
+    }
+
+    #[test]
+    fn a_product_has_the_least_and_the_greatest_of_the_products_of_the_ends() {
+        let ends = [(-3, -2), (-3, 0), (-2, 5), (0, 0), (0, 4), (1, 6)];
+        for (a, b) in ends {
+            for (c, d) in ends {
+                let interval = |low, high| Interval {
+                    low: integer(low),
+                    high: integer(high),
+                };
+                let product = interval(a, b).multiply(&interval(c, d));
+                let all = [a * c, a * d, b * c, b * d];
+                let (low, high) = (all.iter().min().unwrap(), all.iter().max().unwrap());
+                assert_eq!(product, interval(*low, *high), "{a} {b} {c} {d}");
+            }
+        }
     }
 
     #[test]

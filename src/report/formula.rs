@@ -46,6 +46,8 @@ struct Factors {
     factors: Vec<(Polynomial, u32)>,
 }
 
+/// The most bytes of the text of a function.
+const LONGEST_FUNCTION: usize = 4_000;
 /// The most terms of a polynomial that is factored to be shown.
 const LONGEST_FACTORED: usize = 1_000;
 /// Terms, bits and steps that this may take: a report is printed at once.
@@ -124,9 +126,16 @@ impl Formulas {
         let mut formulas = Formulas { latex, plain, code };
         // Arguments mention earlier letters only.
         for (letter, function) in model.functions.iter().flat_map(|table| table.all()) {
-            formulas.latex[letter] = formulas.function(&function, Script::Latex);
-            formulas.plain[letter] = formulas.function(&function, Script::Plain);
-            formulas.code[letter] = formulas.function(&function, Script::Code);
+            let texts = [Script::Latex, Script::Plain, Script::Code]
+                .map(|script| formulas.function(&function, script));
+            // Functions of functions are as long as all that is in them: such a one keeps its name.
+            if texts.iter().any(|text| text.len() > LONGEST_FUNCTION) {
+                continue;
+            }
+            let [latex, plain, code] = texts;
+            formulas.latex[letter] = latex;
+            formulas.plain[letter] = plain;
+            formulas.code[letter] = code;
         }
         formulas
     }

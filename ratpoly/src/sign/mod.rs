@@ -338,7 +338,7 @@ impl Moebius {
 
     pub(crate) fn value(&self, t: &BigRational) -> BigRational {
         // Two quotients in lowest terms; points are taken for each of the variables, many times over.
-        allowance::spend(40 + 8 * (t.numer().bits() + t.denom().bits()) / 64);
+        allowance::spend(100 + 8 * (t.numer().bits() + t.denom().bits()) / 64);
         (t * &self.b + &self.a) / (t * &self.d + &self.c)
     }
 

@@ -2,8 +2,9 @@
 //! a letter, one function of mathematical notation for its neighbour.
 
 use super::build::number;
-use super::{Kind, Replacement, Scene, Site};
+use super::{Kind, ROOM, Replacement, Scene, Site};
 use crate::expr::{Expr, ExprKind, Function, Name};
+use crate::progress::interrupted;
 use crate::verdict::EditClass;
 use num_traits::Zero;
 
@@ -34,6 +35,10 @@ pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let pool = pool(scene);
     let mut found = Vec::new();
     for site in &scene.sites {
+        // Each takes room: those beyond are not looked at.
+        if found.len() > ROOM || interrupted() {
+            break;
+        }
         match &site.expr.kind {
             ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
                 exchanged(scene, site, name, &pool, &mut found);
@@ -56,19 +61,28 @@ pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
 }
 
 /// A name that may stand for another one.
-struct Candidate {
+struct Candidate<'a> {
     name: Name,
     /// Whether it is printed in the same equation.
     near: bool,
+    undotted: Name,
+    kind: Kind,
+    unit: Option<&'a str>,
 }
 
 /// The names of the equation, then those of the document.
-fn pool(scene: &Scene<'_>) -> Vec<Candidate> {
-    let mut found: Vec<Candidate> = Vec::new();
+fn pool<'a>(scene: &Scene<'a>) -> Vec<Candidate<'a>> {
+    let context = scene.context;
+    let mut found: Vec<Candidate<'a>> = Vec::new();
     let mut add = |name: &Name, near: bool| {
         if !found.iter().any(|c| c.name == *name) {
-            let name = name.clone();
-            found.push(Candidate { name, near });
+            found.push(Candidate {
+                name: name.clone(),
+                near,
+                undotted: name.undotted(),
+                kind: context.kind_of(name),
+                unit: context.unit_of(name),
+            });
         }
     };
     for site in &scene.sites {
@@ -86,24 +100,28 @@ fn exchanged(
     scene: &Scene<'_>,
     site: &Site<'_>,
     name: &Name,
-    pool: &[Candidate],
+    pool: &[Candidate<'_>],
     found: &mut Vec<Replacement>,
 ) {
     let context = scene.context;
-    let kind = context.kind_of(name);
+    let (kind, unit, undotted) = (
+        context.kind_of(name),
+        context.unit_of(name),
+        name.undotted(),
+    );
     let edit = |to: Expr| Replacement::new(site, EditClass::Letter, to);
     let many = context.letters.len() > LETTERS;
     for candidate in pool {
         let other = &candidate.name;
         let alike = other.letter.base == name.letter.base;
-        let same_kind = context.kind_of(other) == kind;
+        let same_kind = candidate.kind == kind;
         let same_font = other.letter.font == name.letter.font;
         // Dots have a class of their own.
-        let dotted = other.undotted() == name.undotted();
+        let dotted = candidate.undotted == undotted;
         if dotted || !same_kind || !same_font || many && !candidate.near && !alike {
             continue;
         }
-        let same_unit = match (context.unit_of(name), context.unit_of(other)) {
+        let same_unit = match (unit, candidate.unit) {
             (Some(one), Some(other)) => one == other,
             _ => true,
         };
@@ -112,7 +130,7 @@ fn exchanged(
             + if alike && candidate.near { 0 } else { 1 };
         // A process for another one: its own dots, or those that the printed letter has.
         let mut dots = vec![other.dots];
-        if name.dots > 0 && other.undotted() != name.undotted() && other.dots != name.dots {
+        if name.dots > 0 && other.dots != name.dots {
             dots.push(name.dots);
         }
         for dots in dots {
@@ -151,7 +169,7 @@ fn exchanged(
 fn for_number(
     scene: &Scene<'_>,
     site: &Site<'_>,
-    pool: &[Candidate],
+    pool: &[Candidate<'_>],
     found: &mut Vec<Replacement>,
 ) {
     let zero = matches!(&site.expr.kind, ExprKind::Number(n) if n.is_zero());

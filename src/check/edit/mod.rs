@@ -33,6 +33,7 @@ pub use rows::braces_under_all_rows;
 
 use crate::expr::{Display, Expr, ExprKind};
 use crate::model::links::Place;
+use crate::progress::interrupted;
 use crate::verdict::EditClass;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -94,6 +95,9 @@ pub fn singles(display: &Display, places: &[Place], context: &Context) -> Vec<Re
     let mut found: Vec<Replacement> = Vec::new();
     let mut room = ROOM;
     for class in classes {
+        if interrupted() {
+            break;
+        }
         // The first classes are the likeliest slips: of a very long equation they are all there is.
         for edit in class(&scene) {
             let size = edit.change.size() + 1;

@@ -170,11 +170,17 @@ impl Trial<'_, '_> {
         let costs: Vec<u32> = apart.iter().map(|(_, r)| r.cost).collect();
         let most = bound(&costs, most.saturating_sub(SECOND_SLIP), left);
         let mut pairs: Vec<(u32, usize, usize)> = Vec::new();
+        let mut dearest = 0;
         for (i, (one, first)) in apart.iter().enumerate() {
             let rest = apart.iter().enumerate().skip(i + 1);
             let cheap = rest.take_while(|(_, (_, second))| first.cost + second.cost <= most);
             let free = cheap.filter(|(_, (two, _))| !self.are_nested(*one, *two));
-            pairs.extend(free.map(|(j, (_, second))| (first.cost + second.cost, i, j)));
+            let all = free.map(|(j, (_, second))| (first.cost + second.cost, i, j));
+            // Of those at the bound, which may be very many, the first are as many as there may be.
+            pairs.extend(all.filter(|(cost, ..)| {
+                dearest += usize::from(*cost == most);
+                *cost < most || dearest <= left
+            }));
         }
         pairs.sort_unstable();
         pairs.truncate(left);
