@@ -21,6 +21,8 @@ mod generated;
 mod hypotheses;
 #[path = "soundness/limits.rs"]
 mod limits;
+#[path = "soundness/one_case.rs"]
+mod one_case;
 #[path = "soundness/readings.rs"]
 mod readings;
 #[path = "soundness/signs.rs"]

@@ -173,25 +173,30 @@ impl Checker<'_> {
         })
     }
 
-    /// Whether an equation among the hypotheses is about a process of which the document gives a rate.
+    /// Whether an equation among the hypotheses is about processes of which the document gives all a rate:
+    /// nothing is left for which it could be solved.
     fn moves_by_itself(&self, equation: usize) -> bool {
-        let mut found = false;
-        let equations = self.hypotheses_of(equation);
-        for h in equations.filter(|h| h.relation == Relation::Equal) {
+        let mut equations = self
+            .hypotheses_of(equation)
+            .filter(|h| h.relation == Relation::Equal);
+        equations.any(|h| {
+            let (mut moving, mut free) = (false, false);
             for side in [&h.left, &h.right] {
                 visit(side, &mut |e| {
-                    if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
-                        let plain = name.undotted();
-                        if let Ok(Resolved::Letter { symbol, .. }) =
-                            self.model.resolve(&plain, &|_| false)
-                        {
-                            found |= self.is_process(symbol) && self.has_own_motion(symbol);
+                    if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
+                        && let Ok(Resolved::Letter { symbol, .. }) =
+                            self.model.resolve(&name.undotted(), &|_| false)
+                        && self.is_process(symbol)
+                    {
+                        match self.has_own_motion(symbol) {
+                            true => moving = true,
+                            false => free = true,
                         }
                     }
                 });
             }
-        }
-        found
+            moving && !free
+        })
     }
 
     /// Whether the range of a letter, declared or supposed, has an end that belongs to it.

@@ -10,7 +10,7 @@ use rederive::document::{Document, VerdictWord};
 
 /// What may be said of a claim.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Truth {
+pub enum Truth {
     True,
     False,
     /// No value, or not enough is written: neither.
@@ -19,7 +19,7 @@ enum Truth {
 use Truth::{False, Open, True};
 
 /// A claim with its hypotheses.
-struct Claim {
+pub struct Claim {
     claim: String,
     key: &'static str,
     hypotheses: Vec<String>,
@@ -27,11 +27,11 @@ struct Claim {
 }
 
 impl Claim {
-    fn plain(claim: impl Into<String>, truth: Truth) -> Self {
+    pub fn plain(claim: impl Into<String>, truth: Truth) -> Self {
         Claim::under(claim, "assume", &[], truth)
     }
 
-    fn under(
+    pub fn under(
         claim: impl Into<String>,
         key: &'static str,
         hypotheses: &[String],
@@ -47,7 +47,7 @@ impl Claim {
 }
 
 /// Audits all claims in one document; those with a truth that are not decided.
-fn undecided(preamble: &str, claims: &[Claim]) -> Vec<String> {
+pub fn undecided(preamble: &str, claims: &[Claim]) -> Vec<String> {
     assert!(claims.len() >= 100, "{} claims", claims.len());
     let mut text = preamble.to_string();
     for (k, claim) in claims.iter().enumerate() {

@@ -175,7 +175,8 @@ impl Checker<'_> {
         let before = std::mem::take(&mut self.exact.conditions);
         let value = self.exact.expression_without_cases(expr);
         let vanishing = self.vanishing_divisor();
-        let cancelled = value.is_ok() && self.divides_by_what_is_gone(expr);
+        let cancelled =
+            value.is_ok() && self.divides_by_what_is_gone(expr, proposition.predicate, ground);
         self.exact.conditions = before;
         if cancelled {
             let what = "a statement about what has no value somewhere";
@@ -224,7 +225,23 @@ impl Checker<'_> {
 
     /// Whether something that may vanish is divided by, in an expression or behind it, and no longer seen
     /// in its value.
-    fn divides_by_what_is_gone(&mut self, expr: &Expr) -> bool {
+    fn divides_by_what_is_gone(
+        &mut self,
+        expr: &Expr,
+        predicate: Predicate,
+        ground: &Ground,
+    ) -> bool {
+        // Elsewhere it is about the values that there are.
+        let anywhere = matches!(
+            predicate,
+            Predicate::HasAMinimumIn
+                | Predicate::HasAMaximumIn
+                | Predicate::MinimalAt
+                | Predicate::MaximalAt
+                | Predicate::NearlyMinimalAt
+                | Predicate::LeastAtTheLowerBoundOf
+                | Predicate::WorseAtTheMinimumOf
+        );
         let world = self.exact.world().clone().inserting();
         let mut expanding = self.exact.in_world(world);
         let Ok(value) = expanding.expression_without_cases(expr) else {
@@ -234,6 +251,10 @@ impl Checker<'_> {
         let open = self.conditions().into_iter();
         let mut open = open.filter(|c| c.because.is_none() && !is_about_existence(&c.origin));
         open.any(|condition| {
+            let there = ground.at(&condition.factor.clone().into());
+            if !anywhere && !there.is_some_and(|value| value.is_zero()) {
+                return false;
+            }
             let mut entries = value.entries().into_iter();
             entries.all(|entry| entry.denominator().div_exact(&condition.factor).is_none())
         })
