@@ -290,13 +290,13 @@ impl Checker<'_> {
             return false;
         };
         visit(value, &mut |e| {
-            plain &= match &e.kind {
+            plain &= matches!(
+                e.kind,
                 ExprKind::Name(_)
-                | ExprKind::Number(_)
-                | ExprKind::Matrix { .. }
-                | ExprKind::Group { .. } => true,
-                _ => false,
-            };
+                    | ExprKind::Number(_)
+                    | ExprKind::Matrix { .. }
+                    | ExprKind::Group { .. }
+            );
         });
         plain
     }

@@ -60,7 +60,7 @@ impl<'m> Bench<'m> {
         }
         let mut evaluator = self.evaluator.corrected(*definition, corrected);
         let own = self.checker.exact.display(claim.0).clone();
-        let mends = holds_modulo(&mut evaluator, &own, &claim.1) && {
+        holds_modulo(&mut evaluator, &own, &claim.1) && {
             let resting = match self.claims.get(definition) {
                 Some(resting) => resting.clone(),
                 None => {
@@ -77,8 +77,7 @@ impl<'m> Bench<'m> {
             };
             // One claim alone is as well mended where it stands.
             resting.len() > 1 && resting.iter().all(&mut holds)
-        };
-        mends
+        }
     }
 }
 
@@ -279,29 +278,27 @@ impl<'m> Checker<'m> {
             };
             let found =
                 printed.by_definition(equation, &link, &mut Spent::default(), limit, Some(&among));
-            match found {
-                Some(correction) => {
-                    self.adopt(printed);
-                    if let Some((definition, display)) = &correction.definition {
-                        self.correct(*definition, display.clone());
-                    }
-                    let outcome = &mut outcomes[first];
-                    let (Verdict::Misprint { refutation, .. } | Verdict::Refuted(refutation)) =
-                        &outcome.verdict
-                    else {
-                        continue;
-                    };
-                    outcome.verdict = Verdict::Misprint {
-                        refutation: {
-                            let mut refutation = refutation.clone();
-                            refutation.searched = None;
-                            refutation
-                        },
-                        correction: Box::new(correction),
-                    };
-                }
-                None => {}
+            let Some(correction) = found else {
+                continue;
+            };
+            self.adopt(printed);
+            if let Some((definition, display)) = &correction.definition {
+                self.correct(*definition, display.clone());
             }
+            let outcome = &mut outcomes[first];
+            let (Verdict::Misprint { refutation, .. } | Verdict::Refuted(refutation)) =
+                &outcome.verdict
+            else {
+                continue;
+            };
+            outcome.verdict = Verdict::Misprint {
+                refutation: {
+                    let mut refutation = refutation.clone();
+                    refutation.searched = None;
+                    refutation
+                },
+                correction: Box::new(correction),
+            };
         }
     }
 
