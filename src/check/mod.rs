@@ -46,13 +46,12 @@ use crate::domain::Symbolic;
 use crate::evaluate::{self, Evaluator, Failure, FailureKind};
 use crate::expr::Display;
 use crate::model::Model;
-use crate::verdict::certificate::Print;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
 use hypotheses::Supposed;
 use std::borrow::Cow;
-use std::sync::{Arc, OnceLock};
-use worlds::Insertions;
+use std::sync::Arc;
+use worlds::{Insertions, Prints};
 
 /// How much is spent.
 #[derive(Clone, Copy, Debug)]
@@ -103,7 +102,7 @@ pub struct Checker<'m> {
     /// The steps that are left for all links.
     pool: bounded::Pool,
     /// The equations as printed, with their hashes.
-    prints: Arc<[OnceLock<Arc<Print>>]>,
+    prints: Prints,
 }
 
 /// The verdicts on a model.

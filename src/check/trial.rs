@@ -118,10 +118,8 @@ impl<'m> Checker<'m> {
         if self.model.equations[equation].assume.is_empty() {
             return None;
         }
-        Some(match self.under_hypotheses(equation) {
-            Ok(under) => Ok(under),
-            Err(unusable) => Err(self.words_of(&unusable)),
-        })
+        let under = self.under_hypotheses(equation);
+        Some(under.map_err(|unusable| self.words_of(&unusable)))
     }
 
     /// What is wrong with the abbreviations since a change was put in place, if anything.

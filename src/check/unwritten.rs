@@ -86,11 +86,10 @@ impl Checker<'_> {
                 "a hypothesis is about the time: whether it holds at a moment or always is not written",
             );
         }
-        let about = moments || self.has_moments(equation, link);
         if moments && self.has_covariance_of_constants() {
             return Some("a covariance is declared of letters that are functions of nothing");
         }
-        if about && self.ties_processes(equation) {
+        if self.ties_processes(equation) && (moments || self.has_moments(equation, link)) {
             return Some(
                 "a hypothesis ties what is random: which moments it has then is not written",
             );
@@ -402,14 +401,15 @@ impl Checker<'_> {
 
     /// Whether a point at which a link is false need not be one that the document admits.
     pub(super) fn is_only_proved(&mut self, equation: usize, link: &Link) -> bool {
-        let display = self.exact.display(equation);
-        let mut sides = [link.left, link.right]
-            .into_iter()
-            .filter_map(|p| p.find(display));
-        let bounded = link.relation != Relation::Equal
-            || self.hypotheses_of(equation).next().is_some()
-            || sides.any(|side| self.has_corners(side));
-        bounded && self.has_moments(equation, link) || self.ties_rates(equation, link)
+        let bounded = || {
+            let display = self.exact.display(equation);
+            let sides = [link.left, link.right].into_iter();
+            let mut sides = sides.filter_map(|p| p.find(display));
+            link.relation != Relation::Equal
+                || self.hypotheses_of(equation).next().is_some()
+                || sides.any(|side| self.has_corners(side))
+        };
+        self.has_moments(equation, link) && bounded() || self.ties_rates(equation, link)
     }
 
     /// Whether a link has rates, and its hypotheses tie them in a way that values at a point do not

@@ -15,7 +15,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use ratpoly::RationalFunction;
-use std::sync::Arc;
 
 /// How many points are looked at: the sides differ at all but few.
 const TRIES: u32 = 24;
@@ -107,10 +106,7 @@ impl Checker<'_> {
     ) -> Refutation {
         let world = self.exact.world().clone().leniently();
         let exact = self.exact.in_world(world);
-        let (inserted, supposed) = (Arc::clone(&self.inserted), Arc::clone(&self.supposed));
-        let entries = self
-            .elsewhere(exact, inserted, supposed)
-            .sides(equation, link);
+        let entries = self.beside(exact).sides(equation, link);
         let mut residual = Vec::new();
         let mut witness = None;
         if let Ok(entries) = entries {

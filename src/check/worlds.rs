@@ -11,6 +11,7 @@ use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
 use crate::expr::Display;
 use crate::model::{Letter, Node, Role};
+use crate::verdict::certificate::Print;
 use ratpoly::allowance::Exhausted;
 use ratpoly::{RationalFunction, allowance};
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,6 +19,9 @@ use std::sync::{Arc, OnceLock};
 
 /// For each letter that is an abbreviation, its value in the declared symbols.
 pub(crate) type Insertions = BTreeMap<usize, RationalFunction>;
+
+/// The equations as printed, with their hashes, each made once.
+pub(super) type Prints = Arc<[OnceLock<Arc<Print>>]>;
 
 impl<'m> Checker<'m> {
     /// A checker that has found nothing yet.
@@ -27,9 +31,20 @@ impl<'m> Checker<'m> {
         inserted: Arc<Insertions>,
         supposed: Arc<Supposed>,
     ) -> Self {
-        let model = exact.model();
+        let prints = exact.model().equations.iter();
+        let prints = prints.map(|_| OnceLock::new()).collect();
+        Checker::with_prints(exact, options, inserted, supposed, prints)
+    }
+
+    fn with_prints(
+        exact: Evaluator<'m, Symbolic>,
+        options: Options,
+        inserted: Arc<Insertions>,
+        supposed: Arc<Supposed>,
+        prints: Prints,
+    ) -> Self {
         Checker {
-            model,
+            model: exact.model(),
             instance: exact.world().instance(),
             exact,
             options,
@@ -42,7 +57,7 @@ impl<'m> Checker<'m> {
             failure: None,
             contradiction: None,
             pool: bounded::Pool::default(),
-            prints: model.equations.iter().map(|_| OnceLock::new()).collect(),
+            prints,
         }
     }
 
@@ -53,21 +68,30 @@ impl<'m> Checker<'m> {
         inserted: Arc<Insertions>,
         supposed: Arc<Supposed>,
     ) -> Self {
+        let prints = Arc::clone(&self.prints);
         Checker {
             in_definitions: self.in_definitions,
             tell: self.tell,
             pool: self.pool,
-            prints: Arc::clone(&self.prints),
-            ..Checker::with(exact, self.options, inserted, supposed)
+            ..Checker::with_prints(exact, self.options, inserted, supposed, prints)
         }
+    }
+
+    /// The same, where abbreviations have the values and letters the ranges that they have here.
+    pub(super) fn beside(&self, exact: Evaluator<'m, Symbolic>) -> Self {
+        self.elsewhere(
+            exact,
+            Arc::clone(&self.inserted),
+            Arc::clone(&self.supposed),
+        )
     }
 
     /// A checker in the same world that spends what `options` say.
     pub(crate) fn spending(&self, options: Options) -> Self {
-        let (inserted, supposed) = (Arc::clone(&self.inserted), Arc::clone(&self.supposed));
-        let mut other = self.elsewhere(self.exact.anew(), inserted, supposed);
-        other.options = options;
-        other
+        Checker {
+            options,
+            ..self.beside(self.exact.anew())
+        }
     }
 
     /// A checker in the world with a display in place of an equation's.
@@ -93,8 +117,7 @@ impl<'m> Checker<'m> {
     }
 
     fn anew_if(&self, exact: Evaluator<'m, Symbolic>, changed: bool) -> Self {
-        let (inserted, supposed) = (Arc::clone(&self.inserted), Arc::clone(&self.supposed));
-        let mut other = self.elsewhere(exact, inserted, supposed);
+        let mut other = self.beside(exact);
         if changed {
             other.insert_abbreviations();
         }

@@ -273,7 +273,11 @@ impl<D: Domain> Evaluator<'_, D> {
                 let (lower, upper) = match relation {
                     Relation::Less | Relation::LessEqual => (&pair[0], &pair[1]),
                     Relation::Greater | Relation::GreaterEqual => (&pair[1], &pair[0]),
-                    _ => continue,
+                    Relation::Equal
+                    | Relation::NotEqual
+                    | Relation::Distributed
+                    | Relation::Approximately
+                    | Relation::Tends => continue,
                 };
                 if infinite(lower).is_some() || infinite(upper).is_some() {
                     continue;

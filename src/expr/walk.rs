@@ -65,8 +65,3 @@ pub fn visit<'a>(expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
         visit(child, see);
     }
 }
-
-/// Whether an expression or one of its parts is such.
-pub fn any(expr: &Expr, such: &mut impl FnMut(&Expr) -> bool) -> bool {
-    such(expr) || children(expr).into_iter().any(|child| any(child, such))
-}

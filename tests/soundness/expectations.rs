@@ -30,6 +30,16 @@ V = v, \quad W = w, \quad C = c
 ```
 ";
 
+/// Audits claims about these moments: each is decided, and rightly.
+fn all_are_decided(claims: &[String], truths: &[bool]) {
+    let mut tally = Tally::default();
+    for ((claim, truth), word) in claims.iter().zip(truths).zip(verdicts(MOMENTS, claims)) {
+        tally.count(claim, *truth, word);
+    }
+    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
+    assert_eq!(tally.open, 0);
+}
+
 #[test]
 fn second_moments_are_decided() {
     let mut draw = Draw::new(5);
@@ -53,12 +63,7 @@ fn second_moments_are_decided() {
         ));
         truths.push(truth);
     }
-    let mut tally = Tally::default();
-    for ((claim, truth), word) in claims.iter().zip(&truths).zip(verdicts(MOMENTS, &claims)) {
-        tally.count(claim, *truth, word);
-    }
-    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
-    assert_eq!(tally.open, 0);
+    all_are_decided(&claims, &truths);
 }
 
 /// An expectation inside of another is a constant there, whatever letters it has.
@@ -96,12 +101,7 @@ fn nested_expectations_are_constants() {
         claims.push(format!(r"E\{{{body}\}} = {right}{off}"));
         truths.push(truth);
     }
-    let mut tally = Tally::default();
-    for ((claim, truth), word) in claims.iter().zip(&truths).zip(verdicts(MOMENTS, &claims)) {
-        tally.count(claim, *truth, word);
-    }
-    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
-    assert_eq!(tally.open, 0);
+    all_are_decided(&claims, &truths);
 }
 
 /// A hypothesis about what is random itself changes its moments in a way that is not written.
