@@ -23,6 +23,7 @@ mod no_value;
 mod order;
 mod part;
 mod proof;
+mod rates;
 mod recalled;
 mod relations;
 mod repair;
