@@ -161,6 +161,7 @@ impl Checker<'_> {
                         .bounded(|c| c.ordered_by_cases(equation, link))
                         .ok()
                         .flatten()
+                        .or_else(|| self.in_cartesian_form(equation, link))
                         .unwrap_or(verdict),
                 }
             }

@@ -8,6 +8,7 @@ mod admissible;
 mod after;
 pub(crate) mod bounded;
 mod by_cases;
+mod cartesian;
 mod challenge;
 mod conditions;
 mod definite;

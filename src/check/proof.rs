@@ -230,6 +230,9 @@ fn function_text(function: &FunctionLetter) -> String {
         FunctionLetter::Power(base, exponent) => format!("({base})^({exponent})"),
         FunctionLetter::Logarithm(p) => format!("ln({p})"),
         FunctionLetter::Dirac(u) => format!("delta({u})"),
+        FunctionLetter::Bound { depth, .. } if *depth >= super::cartesian::FIRST => {
+            "real, a part of a complex letter".into()
+        }
         FunctionLetter::Bound { depth, .. } if *depth >= super::by_cases::FIRST => {
             "positive, of a case".into()
         }

@@ -114,7 +114,7 @@ impl FunctionTable {
         // sqrt(p/q) = sqrt(p q)/q for the rational number in front.
         let content = split.content.numer() * split.content.denom();
         value = &value * &self.constant(BigRational::new(1.into(), split.content.denom().clone()));
-        // What may vanish stays together too: (1 - cos x)(1 + cos x) is a square.
+        // What may vanish stays together where letters have relations: (1 - cos x)(1 + cos x) is a square.
         let mut weak = Polynomial::one(self.ring);
         let mut unknown = Polynomial::one(self.ring);
         if content.is_negative() {
@@ -154,6 +154,13 @@ impl FunctionTable {
                     value = self.reduce(&value * &self.simple_root(&-factor, depth)?);
                     unknown = -unknown;
                 }
+                Some(Sign::NotNegative) if self.is_free(&factor) => {
+                    value = self.reduce(&value * &self.root_letter(&factor)?);
+                }
+                Some(Sign::NotPositive) if self.is_free(&factor) => {
+                    value = self.reduce(&value * &self.root_letter(&-factor)?);
+                    unknown = -unknown;
+                }
                 Some(Sign::NotNegative | Sign::Zero) => weak = &weak * &factor,
                 Some(Sign::NotPositive) => {
                     weak = -(&weak * &factor);
@@ -171,6 +178,14 @@ impl FunctionTable {
             value = self.reduce(&value * &self.root_letter(&unknown)?);
         }
         Ok(value)
+    }
+
+    /// Whether no letter of known square is in a polynomial: where it is irreducible it is no factor of a
+    /// square in which others stand but once.
+    fn is_free(&self, p: &Polynomial) -> bool {
+        let quadratics = self.quadratics();
+        let letters = p.variables_occurring();
+        !quadratics.iter().any(|q| letters.contains(&q.letter))
     }
 
     /// The root of a polynomial that is not negative and no product.

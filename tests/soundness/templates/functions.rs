@@ -370,7 +370,24 @@ fn imaginary(r: &mut Random) -> (Term, Term) {
 fn complex_letters(r: &mut Random) -> (Term, Term) {
     let u = v(r.pick(&["u", "w", "x"]));
     let w = v(r.pick(&["u", "w", "y"]));
-    match r.below(12) {
+    let (re, im) = (|t| call(Function::Re, t), |t| call(Function::Im, t));
+    match r.below(19) {
+        12 => (
+            re(u.clone() * w.clone()),
+            re(u.clone()) * re(w.clone()) - im(u) * im(w),
+        ),
+        13 => (
+            im(u.clone() * w.clone()),
+            re(u.clone()) * im(w.clone()) + im(u) * re(w),
+        ),
+        14 => (abs(u.clone() / w.clone()), abs(u) / abs(w)),
+        15 => (abs(u.clone() + w.clone()), abs(u) + abs(w)),
+        16 => (
+            abs(u.clone() + w.clone()).pow(2) + abs(u.clone() - w.clone()).pow(2),
+            n(2) * abs(u).pow(2) + n(2) * abs(w).pow(2),
+        ),
+        17 => (re(u.clone() * w.clone()), re(u) * re(w)),
+        18 => (abs(exp(u.clone())), exp(re(u))),
         6 => (abs(u.clone()).pow(2), u.pow(2)),
         7 => (sqrt(u.clone().pow(2)), abs(u)),
         8 => (call(Function::Re, u.clone()), u),
