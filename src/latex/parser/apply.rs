@@ -23,13 +23,10 @@ impl Parser<'_> {
         span: Span,
         raised: bool,
     ) -> Parse<Option<Applied>> {
-        let Some(Token::Open(
-            Delimiter::Visible(Bracket::Round) | Delimiter::Stretched(Bracket::Round),
-        )) = self.peek()
-        else {
-            return Ok(None);
-        };
         let open = self.position;
+        if !self.at_round_bracket() {
+            return self.no_function_of_other_brackets(name, span);
+        }
         let close = self.partner[open];
         if self.holds_list(open, close) {
             return Ok(Some(Applied::Declared));
@@ -68,6 +65,37 @@ impl Parser<'_> {
             }
             (false, false, false) | (true, false, true) => Err(ambiguous()),
         }
+    }
+
+    /// Whether a round bracket is next.
+    pub(super) fn at_round_bracket(&self) -> bool {
+        matches!(
+            self.peek(),
+            Some(Token::Open(
+                Delimiter::Visible(Bracket::Round) | Delimiter::Stretched(Bracket::Round)
+            ))
+        )
+    }
+
+    /// Whether square or curly brackets after a function hold what it is never a function of: then they are a factor.
+    fn no_function_of_other_brackets(&self, name: &Name, span: Span) -> Parse<Option<Applied>> {
+        let Some(Token::Open(
+            Delimiter::Visible(Bracket::Square | Bracket::Curly)
+            | Delimiter::Stretched(Bracket::Square | Bracket::Curly),
+        )) = self.peek()
+        else {
+            return Ok(None);
+        };
+        let (open, close) = (self.position, self.partner[self.position]);
+        let Some(variables) = self.signature.variables(name) else {
+            return Ok(None);
+        };
+        let mut letters = (open..close).filter_map(|position| self.letter_at(position));
+        if self.holds_one_name(open + 1, close) || letters.any(|l| variables.contains(&l)) {
+            let span = span.to(self.lexemes[close].span);
+            return Err(self.ambiguous(["a function of its argument", "a product"], span));
+        }
+        Ok(None)
     }
 
     /// The plain letter at a position.

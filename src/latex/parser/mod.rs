@@ -15,7 +15,8 @@ mod script;
 mod slash;
 
 pub(super) use script::is_mark;
-pub(super) use slash::ends_divisor;
+pub(super) use operator::begins_with_bracket;
+pub(super) use slash::{ends_divisor, ends_in_bare_letters};
 
 use super::Reading;
 use super::layout::{DEPTH_LIMIT, Layout};
@@ -23,7 +24,7 @@ use super::lexer::{Delimiter, Lexeme, Token};
 use super::signature::Signature;
 use super::vocabulary;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::{Bracket, Chain, Expr, ExprKind, Relation, Sign};
+use crate::expr::{Bracket, Chain, Expr, ExprKind, QuotientStyle, Relation, Sign};
 use crate::span::Span;
 
 /// What was read, or why it could not be.
@@ -287,7 +288,13 @@ impl<'s> Parser<'s> {
             if self.lexemes[self.position].gap {
                 gaps.push(factors.len());
             }
+            let here = self.here();
             self.push_factor(&mut factors)?;
+            if let [.., before, after] = factors.as_slice()
+                && looks_mixed(before, after)
+            {
+                return Err(self.ambiguous(["a mixed number", "a product"], here));
+            }
         }
         Ok((factors, gaps))
     }
@@ -399,6 +406,24 @@ impl<'s> Parser<'s> {
             }
             _ => Err(self.unexpected("a factor")),
         }
+    }
+}
+
+/// Whether a number and a fraction below one stand side by side, as in two and a half.
+pub(super) fn looks_mixed(before: &Expr, after: &Expr) -> bool {
+    let ExprKind::Quotient {
+        numerator,
+        denominator,
+        style: QuotientStyle::Bar,
+    } = &after.kind
+    else {
+        return false;
+    };
+    match (&before.kind, &numerator.kind, &denominator.kind) {
+        (ExprKind::Number(whole), ExprKind::Number(above), ExprKind::Number(below)) => {
+            whole.is_integer() && above < below
+        }
+        _ => false,
     }
 }
 

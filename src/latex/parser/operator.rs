@@ -27,6 +27,9 @@ impl Parser<'_> {
                     return Err(self.derivative_or_quotient(span));
                 }
                 let body = self.term()?;
+                if begins_with_bracket(&body) {
+                    return Err(self.derivative_of_bracket(self.since(start)));
+                }
                 let derivative = derivative(variables, body, self.since(start));
                 if doubtful {
                     self.note_reading(&derivative);
@@ -41,6 +44,13 @@ impl Parser<'_> {
                     return Err(self.derivative_or_quotient(span));
                 }
                 let body = product(factors[1..].to_vec(), numerator.span);
+                if let ExprKind::Name(name) = &body.kind
+                    && self.signature.is_function(name)
+                    && self.at_round_bracket()
+                {
+                    let readings = ["the derivative at this argument", "a product"];
+                    return Err(self.ambiguous(readings, self.here()));
+                }
                 return Ok(derivative(variables, body, span));
             }
         }
@@ -54,6 +64,15 @@ impl Parser<'_> {
             style: QuotientStyle::Bar,
         };
         Ok(Expr::new(kind, span))
+    }
+
+    /// What to say where something follows the bracket behind a `d/dx`.
+    pub(super) fn derivative_of_bracket(&self, span: Span) -> Box<Diagnostic> {
+        let readings = [
+            "the derivative of what the bracket holds",
+            "the derivative of the whole product",
+        ];
+        self.ambiguous(readings, span)
     }
 
     /// What to say where a letter `d` of the document stands above and below.
@@ -340,4 +359,20 @@ fn derivative(variables: Vec<(u8, Name)>, body: Expr, span: Span) -> Expr {
             };
             Expr::new(kind, span)
         })
+}
+
+/// Whether a product or quotient begins with a bracket, which behind a `d/dx` may hold all that is meant.
+pub(in crate::latex) fn begins_with_bracket(expr: &Expr) -> bool {
+    let is_bracket = |e: &Expr| matches!(e.kind, ExprKind::Group { .. } | ExprKind::Sum(_));
+    match &expr.kind {
+        ExprKind::Product(factors) => {
+            is_bracket(&factors[0]) || begins_with_bracket(&factors[0])
+        }
+        ExprKind::Quotient {
+            numerator,
+            style: QuotientStyle::Slash,
+            ..
+        } => is_bracket(numerator) || begins_with_bracket(numerator),
+        _ => false,
+    }
 }

@@ -4,7 +4,7 @@
 //! `q/2de` is q/(2de), as papers print it. That is a convention, so the reading is named. Where it is
 //! not what a reader takes, it is not taken: a printed space after a divisor that is closed in itself
 //! ends it (`1/2\, mv^2` is half of mv^2, `1/(2m)\, p^2` likewise), and where nothing on the page
-//! decides (`1/2 mv^2`, `a/b\, c`) both readings are given back.
+//! decides (`1/2 mv^2`, `a/b\, c`, `\sin\omega t/2` beside `\sin x/x`) both readings are given back.
 
 use super::{Parse, Parser, product};
 use crate::expr::{Bracket, Expr, ExprKind, Function, QuotientStyle};
@@ -37,6 +37,9 @@ impl Parser<'_> {
                 });
             }
             let body = Box::new(product(body, below));
+            if super::begins_with_bracket(&body) {
+                return Err(self.derivative_of_bracket(span));
+            }
             let variable = Some(variable);
             let kind = ExprKind::Derivative {
                 order,
@@ -48,6 +51,12 @@ impl Parser<'_> {
                 self.note_reading(&derivative);
             }
             return Ok(vec![derivative]);
+        }
+        if numerator.last().is_some_and(ends_in_bare_letters)
+            && !matches!(divisor[0].kind, ExprKind::Call { .. })
+        {
+            let readings = ["a quotient in the argument", "a quotient of the function"];
+            return Err(self.ambiguous(readings, span));
         }
         let quotient = |numerator: Vec<Expr>, divisor: Vec<Expr>| {
             let kind = ExprKind::Quotient {
@@ -95,6 +104,39 @@ impl Parser<'_> {
         if !self.readings.contains(&reading) {
             self.readings.push(reading);
         }
+    }
+}
+
+/// Whether a function stands at the right end whose argument is letters or a number without a bracket: a slash
+/// behind it may still belong to the argument.
+pub(in crate::latex) fn ends_in_bare_letters(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Call { function, argument } => match function {
+            Function::SquareRoot
+            | Function::Absolute
+            | Function::Determinant
+            | Function::Trace
+            | Function::RealPart
+            | Function::ImaginaryPart => false,
+            Function::Exponential
+            | Function::Cosine
+            | Function::Sine
+            | Function::Tangent
+            | Function::Cotangent
+            | Function::HyperbolicCosine
+            | Function::HyperbolicSine
+            | Function::HyperbolicTangent
+            | Function::Logarithm => matches!(
+                argument.kind,
+                ExprKind::Name(_)
+                    | ExprKind::Number(_)
+                    | ExprKind::Product(_)
+                    | ExprKind::Power { .. }
+                    | ExprKind::Apply { .. }
+            ),
+        },
+        ExprKind::Power { base, .. } => ends_in_bare_letters(base),
+        _ => false,
     }
 }
 

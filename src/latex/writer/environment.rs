@@ -3,6 +3,7 @@
 use super::Writer;
 use super::symbol::{canonical, push};
 use crate::expr::{Bracket, Chain, Expr, ExprKind, Name};
+use crate::latex::parser::begins_with_bracket;
 
 impl Writer {
     pub(super) fn matrix(self, rows: &[Vec<Expr>], bracket: Bracket) -> String {
@@ -49,7 +50,11 @@ impl Writer {
             "\\frac{{\\mathrm{{d}}{exponent}}}{{\\mathrm{{d}}{}{exponent}}} ",
             canonical(variable)
         );
-        push(&mut text, &self.term(body));
+        let body = match begins_with_bracket(body) {
+            true => self.group(body),
+            false => self.term(body),
+        };
+        push(&mut text, &body);
         text
     }
 

@@ -2,6 +2,7 @@
 
 use super::Writer;
 use crate::expr::{Bracket, Expr, ExprKind, Function, Name, QuotientStyle};
+use crate::latex::parser::looks_mixed;
 
 /// Whether what is written after it would be taken into it.
 pub(super) fn is_open_ended(expr: &Expr) -> bool {
@@ -145,7 +146,7 @@ impl Writer {
         if piece.starts_with(|c: char| c.is_ascii_digit()) {
             return true;
         }
-        if is_slash(before) || !bracketed && is_slash(factor) {
+        if is_slash(before) || !bracketed && is_slash(factor) || looks_mixed(before, factor) {
             return true;
         }
         if ends_in_bare_argument(before) && (bracketed || !ends_argument(factor)) {

@@ -6,7 +6,7 @@ use super::guard::{
 };
 use super::symbol::{canonical, enclose, function, number, push};
 use crate::expr::{Bracket, Expr, ExprKind, Font, Function, QuotientStyle, Sign};
-use crate::latex::parser::{ends_divisor, is_mark};
+use crate::latex::parser::{ends_divisor, ends_in_bare_letters, is_mark};
 use num_traits::Signed;
 
 impl Writer {
@@ -123,7 +123,17 @@ impl Writer {
                 _ => Some(writer.operand(expr)),
             }
         };
-        let above = side(numerator, false).filter(|_| !is_open_ended(numerator));
+        let takes_slash = match &numerator.kind {
+            ExprKind::Product(factors) => factors.last().is_some_and(ends_in_bare_letters),
+            _ => ends_in_bare_letters(numerator),
+        };
+        let first = match &denominator.kind {
+            ExprKind::Product(factors) => &factors[0],
+            _ => denominator,
+        };
+        let guarded =
+            is_open_ended(numerator) || takes_slash && !matches!(first.kind, ExprKind::Call { .. });
+        let above = side(numerator, false).filter(|_| !guarded);
         let above = above.unwrap_or_else(|| self.group(numerator));
         let below = side(denominator, true).unwrap_or_else(|| self.group(denominator));
         format!("{above}/{below}")
