@@ -17,6 +17,7 @@ pub use refutation::{
 
 use crate::document::VerdictWord;
 use crate::evaluate::Origin;
+use crate::functions::FunctionTable;
 use ratpoly::{Polynomial, RationalFunction};
 
 /// The verdict on one link of a chain.
@@ -224,6 +225,9 @@ pub struct Outcome {
     /// The instances of the model for which the verdict is this one: all, or those for which it is
     /// worst.
     pub instances: Vec<usize>,
+    /// What the letters of functions stand for in all of this, where the reserve of the model was given to
+    /// other functions since; else they stand for what they do in the model.
+    pub letters: Option<FunctionTable>,
 }
 
 impl Verdict {

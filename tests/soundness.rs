@@ -25,6 +25,8 @@ mod limits;
 mod one_case;
 #[path = "soundness/readings.rs"]
 mod readings;
+#[path = "soundness/says.rs"]
+mod says;
 #[path = "soundness/signs.rs"]
 mod signs;
 #[path = "soundness/sizes.rs"]

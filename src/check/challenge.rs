@@ -118,6 +118,14 @@ impl<'m> Checker<'m> {
                     (_, Some(w)) if w.point.iter().any(|(l, _)| self.is_no_choice(*l)) => {
                         Some(false)
                     }
+                    // In a case the sides differ as formulas; whether a point of it shows that is open.
+                    (None, Some(_)) if in_a_case && found.evaluated > 0 => {
+                        return Err(
+                            "the sides differ as formulas in a case of a definition, and no \
+                             admissible point of that case was found at which they are apart"
+                                .into(),
+                        );
+                    }
                     (None, Some(witness)) if found.evaluated > 0 => {
                         self.is_apart_at(equation, link, witness)
                     }

@@ -9,6 +9,7 @@ use super::identity::{insert, letters_of};
 use super::statement::Ground;
 use super::{Checker, Options};
 use crate::expr::Expr;
+use crate::functions::FunctionTable;
 use crate::model::{Letter, Model, Node};
 use crate::theory::algebraic::Algebraic;
 use crate::verdict::statement::Scope;
@@ -183,13 +184,20 @@ impl<'m> Changes<'m> {
             return Vec::new();
         };
         let entries = refutation.residual.iter();
-        entries.filter_map(|e| self.change(e, side)).collect()
+        entries
+            .filter_map(|e| self.change(e, side, outcome.letters.as_ref()))
+            .collect()
     }
 
-    fn change(&self, entry: &ResidualEntry, wrong: Side) -> Option<Change> {
+    fn change(
+        &self,
+        entry: &ResidualEntry,
+        wrong: Side,
+        letters: Option<&FunctionTable>,
+    ) -> Option<Change> {
         let checker = self.checker.as_ref()?;
         let all: Vec<usize> = checker.inserted.keys().copied().collect();
-        let functions = self.model.functions.as_ref();
+        let functions = letters.or(self.model.functions.as_ref());
         let inserted = insert(&[entry], &checker.insertion(&all), functions).ok()?;
         let entry = inserted.into_iter().next()?;
         let (printed, correct) = match wrong {

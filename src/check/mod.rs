@@ -18,6 +18,7 @@ pub mod effect;
 mod hypotheses;
 mod identity;
 mod instances;
+mod letters;
 mod limits;
 mod link;
 mod no_value;
@@ -47,6 +48,7 @@ use crate::diagnostic::Diagnostic;
 use crate::domain::Symbolic;
 use crate::evaluate::{self, Evaluator, Failure, FailureKind};
 use crate::expr::Display;
+use crate::functions::FunctionTable;
 use crate::model::Model;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
@@ -205,8 +207,10 @@ impl<'m> Checker<'m> {
     /// As [`check`].
     pub fn run(mut self) -> Result<Verdicts, Vec<Diagnostic>> {
         let mut outcomes = Vec::new();
+        let table = self.lent();
+        let kept = table.as_ref().map_or(0, FunctionTable::given_out);
         for equation in self.model.settling_order() {
-            outcomes.extend(self.settle(equation));
+            self.settle_with_letters(equation, kept, &mut outcomes);
         }
         let mut better = outcomes.clone();
         let improved = self.bounded_in_all(|checker| {
@@ -215,6 +219,9 @@ impl<'m> Checker<'m> {
         });
         if improved.is_ok() {
             outcomes = better;
+        }
+        if let Some(table) = &table {
+            self.make_room(table, kept, &mut outcomes);
         }
         let statements = self.statements();
         if !self.diagnostics.is_empty() {
@@ -328,6 +335,7 @@ impl<'m> Checker<'m> {
             assumed: assumed.collect(),
             sizes: None,
             instances: vec![self.instance],
+            letters: None,
         }
     }
 }

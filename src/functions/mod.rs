@@ -197,6 +197,8 @@ struct Given {
     finer: Vec<Finer>,
     /// How often letters were taken back: what is remembered of them is void then.
     generation: u64,
+    /// How often there was no letter left for a function.
+    refused: u64,
 }
 
 impl FunctionTable {
@@ -242,6 +244,7 @@ impl FunctionTable {
             quadratics: Arc::clone(&given.quadratics),
             finer: given.finer.clone(),
             generation: given.generation,
+            refused: given.refused,
         };
         drop(given);
         FunctionTable {
@@ -249,6 +252,16 @@ impl FunctionTable {
             signs: Arc::default(),
             ..self.clone()
         }
+    }
+
+    /// How many letters there are for functions.
+    pub(crate) fn reserve(&self) -> usize {
+        self.ring.len() - self.first
+    }
+
+    /// How often there was no letter left.
+    pub(crate) fn refused(&self) -> u64 {
+        self.lock().refused
     }
 
     /// How many letters are left.
@@ -292,6 +305,7 @@ impl FunctionTable {
         }
         let letter = self.first + given.letters.len();
         if letter >= self.ring.len() {
+            given.refused += 1;
             return Err(Impossible::NoLetter);
         }
         if let Some(square) = square {

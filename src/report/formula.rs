@@ -10,15 +10,17 @@ mod tests;
 
 pub use lines::width;
 
-use crate::functions::FunctionLetter;
+use crate::functions::{FunctionLetter, FunctionTable};
 use crate::latex;
 use crate::model::Model;
 use crate::report::plain::plain_name;
+use crate::verdict::Outcome;
 use lines::{LINE, broken};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use ratpoly::{Budget, Monomial, Polynomial, RationalFunction};
+use std::borrow::Cow;
 
 /// What is written for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,6 +120,18 @@ const SHORT: usize = 24;
 impl Formulas {
     /// For the letters of a model.
     pub fn of(model: &Model) -> Self {
+        Formulas::with(model, model.functions.as_ref())
+    }
+
+    /// The same for what an outcome says: its letters may have stood for other functions.
+    pub fn here<'f>(&'f self, model: &Model, outcome: &Outcome) -> Cow<'f, Formulas> {
+        match &outcome.letters {
+            Some(functions) => Cow::Owned(Formulas::with(model, Some(functions))),
+            None => Cow::Borrowed(self),
+        }
+    }
+
+    fn with(model: &Model, functions: Option<&FunctionTable>) -> Self {
         let latex: Vec<String> = (0..model.letters.len())
             .map(|letter| latex::canonical(&model.letter_name(letter)))
             .collect();
@@ -125,7 +139,7 @@ impl Formulas {
         let code = model.ring.variables().to_vec();
         let mut formulas = Formulas { latex, plain, code };
         // Arguments mention earlier letters only.
-        for (letter, function) in model.functions.iter().flat_map(|table| table.all()) {
+        for (letter, function) in functions.iter().flat_map(|table| table.all()) {
             let texts = [Script::Latex, Script::Plain, Script::Code]
                 .map(|script| formulas.function(&function, script));
             // Functions of functions are as long as all that is in them: such a one keeps its name.

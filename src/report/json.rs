@@ -22,6 +22,7 @@ use crate::verdict::{
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use statement::Statement;
+use std::borrow::Cow;
 
 /// The whole object.
 #[derive(Debug, Serialize)]
@@ -333,14 +334,15 @@ pub fn verdicts(inspections: &[Inspection]) -> Verdicts {
                 equation: finding.label.clone(),
                 finding: finding.to_string(),
             }));
+        let formulas = Formulas::of(&audit.model);
         let writer = Writer {
             audit,
             comparison: inspection.comparison.as_ref(),
-            formulas: Formulas::of(&audit.model),
+            formulas: Cow::Borrowed(&formulas),
         };
         verdicts
             .claims
-            .extend(audit.outcomes.iter().map(|o| writer.claim(o)));
+            .extend(audit.outcomes.iter().map(|o| writer.here(o).claim(o)));
         let statements = audit.statements.iter();
         verdicts
             .statements
@@ -352,10 +354,19 @@ pub fn verdicts(inspections: &[Inspection]) -> Verdicts {
 struct Writer<'a> {
     audit: &'a Audit,
     comparison: Option<&'a Comparison>,
-    formulas: Formulas,
+    formulas: Cow<'a, Formulas>,
 }
 
 impl Writer<'_> {
+    /// The same in the letters of an outcome.
+    fn here<'w>(&'w self, outcome: &Outcome) -> Writer<'w> {
+        Writer {
+            audit: self.audit,
+            comparison: self.comparison,
+            formulas: self.formulas.here(&self.audit.model, outcome),
+        }
+    }
+
     fn claim(&self, outcome: &Outcome) -> Claim {
         let equation = &self.audit.model.equations[outcome.equation];
         let link = &equation.links[outcome.member - 1];

@@ -133,6 +133,7 @@ fn positive(positivity: &Positivity) -> Prose {
 
 /// The same without hypotheses and instances.
 pub fn bare_reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
+    let formulas = &*formulas.here(&audit.model, outcome);
     if let Some(positivity) = &outcome.positivity {
         return positive(positivity);
     }

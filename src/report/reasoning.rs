@@ -27,6 +27,7 @@ const READINGS: usize = 8;
 
 /// Everything there is to say about one link.
 pub fn reasoning(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Block> {
+    let formulas = &*formulas.here(&audit.model, outcome);
     let mut blocks = argument(audit, formulas, outcome);
     if let Some(line) = conditions(formulas, &outcome.conditions) {
         blocks.push(Block::paragraph(line));
@@ -36,6 +37,7 @@ pub fn reasoning(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<B
 
 /// The same without the conditions.
 pub fn argument(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Vec<Block> {
+    let formulas = &*formulas.here(&audit.model, outcome);
     let mut blocks = Vec::new();
     match &outcome.verdict {
         Verdict::Holds { .. } => {

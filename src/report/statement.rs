@@ -341,6 +341,24 @@ impl Writer<'_> {
                 .then(self.letter(*letter))
                 .words(" ")
                 .then(self.scope(scope)),
+            Fact::NotOnce {
+                letter,
+                minimum,
+                several,
+                scope,
+            } => {
+                let kind = if *minimum { "least" } else { "largest" };
+                let places = match several {
+                    true => "several values of ",
+                    false => "no value of ",
+                };
+                let line = Prose::of(format!("it is {kind} at {places}"));
+                let line = line.then(self.letter(*letter));
+                match scope {
+                    Scope::Everywhere => line,
+                    _ => line.words(", the others as in the reference"),
+                }
+            }
             Fact::Limit(_, limit) => Prose::of("the limit is ").then(match limit {
                 Limit::Finite(value) => self.function(value),
                 Limit::Infinity => Prose::new().formula("\\infty", "∞"),

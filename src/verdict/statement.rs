@@ -206,6 +206,17 @@ pub enum Fact {
     },
     /// There is no such point.
     NoExtremum(usize, Scope),
+    /// It is least (largest) at several values of a letter, or at none.
+    NotOnce {
+        /// The letter.
+        letter: usize,
+        /// Whether it is about the least values.
+        minimum: bool,
+        /// At several and not at none.
+        several: bool,
+        /// Where this is so.
+        scope: Scope,
+    },
     /// A limit.
     Limit(usize, Limit),
     /// Divisors that may vanish where the statement is meant: there it has a pole.

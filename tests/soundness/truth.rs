@@ -216,11 +216,92 @@ pub fn true_given(
             return Some(true);
         }
     }
-    // Without an admissible zero it is no relation under which anything is true.
-    Some(zeros > 0)
+    if zeros > 0 {
+        return Some(true);
+    }
+    // A zero may lie where a coarse walk along one letter does not come. The admissible values are a
+    // convex set: between two points with different signs there is one. Without an admissible zero it is
+    // no relation under which anything is true.
+    let real = |l: &&&str| matches!(domain(l), Domain::Positive | Domain::Real);
+    if letters.iter().any(|l| !real(&l)) {
+        return None;
+    }
+    let mut ends: [Option<Vec<(&'static str, f64)>>; 2] = [None, None];
+    for k in 0..6_000 {
+        let scale = [1.0, 0.3, 0.1, 0.03, 3.0][k % 5];
+        let draw = |l: &&'static str, random: &mut Random| (*l, scale * draw(l, random).re);
+        let point: Vec<_> = letters.iter().map(|l| draw(l, random)).collect();
+        let Some(f) = relation(&point).filter(|f| *f != 0.0) else {
+            continue;
+        };
+        ends[usize::from(f > 0.0)] = Some(point);
+        if let [Some(low), Some(high)] = &ends {
+            return true_between(sides, relation, low, high);
+        }
+    }
+    Some(false)
+}
+
+/// Whether an equation is true at a zero of a relation between two points at which it has different signs.
+fn true_between(
+    sides: (&Term, &Term),
+    relation: &dyn Fn(&[(&'static str, f64)]) -> Option<f64>,
+    low: &[(&'static str, f64)],
+    high: &[(&'static str, f64)],
+) -> Option<bool> {
+    let at = |t: f64| -> Vec<(&'static str, f64)> {
+        let pairs = low.iter().zip(high);
+        pairs
+            .map(|((l, x), (_, y))| (*l, x + t * (y - x)))
+            .collect()
+    };
+    let (mut lo, mut hi) = (0.0, 1.0);
+    for _ in 0..200 {
+        let mid = f64::midpoint(lo, hi);
+        match relation(&at(mid))? {
+            f if f > 0.0 => hi = mid,
+            _ => lo = mid,
+        }
+    }
+    let point = at(f64::midpoint(lo, hi));
+    let of = |name: &str| {
+        let found = point.iter().find(|(l, _)| *l == name);
+        found.map(|(_, x)| Complex::real(*x))
+    };
+    let (a, b) = (sides.0.value(&of)?, sides.1.value(&of)?);
+    Some((a - b).modulus() <= 1e-5 * (1.0 + a.modulus() + b.modulus()))
 }
 
 /// A rational as a float.
 pub fn float(x: &BigRational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
+}
+
+/// A relation whose zeros lie in a narrow part of the admissible values, and one that has none.
+#[test]
+fn zeros_of_a_relation_are_found_where_they_are_few() {
+    use super::term::{n, v};
+    let relation = |point: &[(&'static str, f64)]| {
+        let of = |name: &str| point.iter().find(|(l, _)| *l == name).map(|(_, x)| *x);
+        let (x, c, s) = (of("x")?, of("c")?, of("s")?);
+        Some(x - 3.0 * x * x - c * s * s)
+    };
+    let none = |point: &[(&'static str, f64)]| {
+        let of = |name: &str| point.iter().find(|(l, _)| *l == name).map(|(_, x)| *x);
+        let (x, s) = (of("x")?, of("s")?);
+        Some(x * x + s * s + 1.0)
+    };
+    let off = v("x") - n(3) * v("x").pow(2) - v("c") * v("s").pow(2);
+    for seed in 0..40 {
+        let mut random = Random::new(seed, "zeros");
+        let (left, right) = (v("x") + off.clone() * v("s"), v("x"));
+        let letters = ["x", "c", "s"];
+        let found = true_given((&left, &right), &relation, &letters, &mut random);
+        assert_eq!(found, Some(true), "seed {seed}");
+        let wrong = v("x") + off.clone() * v("s") + n(1);
+        let found = true_given((&wrong, &right), &relation, &letters, &mut random);
+        assert_eq!(found, Some(false), "seed {seed}");
+        let found = true_given((&left, &right), &none, &letters, &mut random);
+        assert_eq!(found, Some(false), "seed {seed}");
+    }
 }

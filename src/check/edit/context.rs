@@ -37,6 +37,8 @@ pub struct Context {
     pub zero: Option<Name>,
     /// Whether it uses functions beyond arithmetic, such as roots and sines.
     pub functions: bool,
+    /// What it defines as functions of letters: their names alone stand for no values.
+    pub applied: Vec<Name>,
 }
 
 impl Context {
@@ -99,7 +101,24 @@ impl Context {
             pi,
             zero,
             functions: model.functions.is_some(),
+            applied: model
+                .definitions
+                .iter()
+                .filter(|d| !d.arguments.is_empty())
+                .map(|d| d.name.undotted())
+                .collect(),
         }
+    }
+
+    /// Whether a name is that of a function that the document defines, or of a derivative of one: it is
+    /// written with an argument, and never where a number stands.
+    pub fn is_applied(&self, name: &Name) -> bool {
+        let name = name.undotted();
+        (0..=name.letter.primes).any(|primes| {
+            let function = name.unprimed(primes);
+            let mut all = self.applied.iter();
+            all.any(|known| *known == name || function.as_ref() == Some(known))
+        })
     }
 
     /// The kind of a name, dots aside; by its typeface where the document does not say.

@@ -144,7 +144,7 @@ impl Monomial {
 }
 
 /// Whether something bold occurs: such factors keep their order.
-pub(super) fn is_ordered(expr: &Expr) -> bool {
+pub fn is_ordered(expr: &Expr) -> bool {
     let mut found = false;
     visit(expr, &mut |e| {
         found |= match &e.kind {

@@ -121,6 +121,10 @@ fn exchanged(
         if dotted || !same_kind || !same_font || many && !candidate.near && !alike {
             continue;
         }
+        // A function's name is no value, and a value is applied to nothing.
+        if context.is_applied(other) != context.is_applied(name) {
+            continue;
+        }
         let same_unit = match (unit, candidate.unit) {
             (Some(one), Some(other)) => one == other,
             _ => true,
@@ -179,7 +183,8 @@ fn for_number(
     }
     for candidate in pool {
         let name = &candidate.name;
-        if scene.context.kind_of(name) != Kind::Scalar || name.dots > 0 {
+        let value = scene.context.kind_of(name) == Kind::Scalar && !scene.context.is_applied(name);
+        if !value || name.dots > 0 {
             continue;
         }
         let far = u32::from(!candidate.near) * 2;

@@ -225,7 +225,9 @@ fn cancelling(expr: &Expr) -> usize {
 }
 
 fn factors<'e>(expr: &'e Expr, up: bool, above: &mut Vec<&'e Expr>, below: &mut Vec<&'e Expr>) {
-    match &expr.kind {
+    // Brackets around a monomial hide nothing.
+    let inner = super::build::inside(expr);
+    match &inner.kind {
         ExprKind::Product(items) => {
             for item in items {
                 factors(item, up, above, below);
@@ -274,6 +276,8 @@ mod tests {
             r"aba",
             r"\sqrt{a^2}",
             r"b + a(2 - 1)",
+            r"\frac{(ab)}{a}",
+            r"\frac{(\frac{ax}{2})}{a}",
         ] {
             assert_ne!(oddities(&read(text)), 0, "{text}");
         }

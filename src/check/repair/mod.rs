@@ -19,6 +19,7 @@ mod parallel;
 mod preferred;
 mod rejected;
 mod residue;
+mod restated;
 mod saying;
 mod sift;
 mod sites;
@@ -30,6 +31,7 @@ use super::Checker;
 use super::edit::{self, Replacement};
 use super::identity::Decision;
 use crate::expr::Display;
+use crate::functions::FunctionTable;
 use crate::latex;
 use crate::model::links::Link;
 use crate::progress::interrupted;
@@ -120,6 +122,16 @@ impl Best {
             }
         }
     }
+}
+
+/// Whether some edits do with one of them less.
+enum Fewer {
+    /// Each is needed, as far as can be told.
+    Needed,
+    /// One less makes it true too, and says nothing: so do all of them.
+    SaysNothing,
+    /// One less mends it.
+    Enough(Box<Proved>),
 }
 
 /// A correction that was proved.
@@ -251,19 +263,31 @@ impl<'m> Checker<'m> {
                 continue;
             }
             let mark = trial.store.mark();
-            let emptied = saying::emptied(trial, &corrected, &candidate);
+            let emptied = saying::emptied(self.model, trial, &corrected, &candidate);
             trial.store.release(mark);
             if emptied.is_some() {
                 trial.empty += 1;
                 continue;
             }
-            let mut mended = self.corrected(equation, corrected.clone());
             let spent = &mut trial.spent.work;
-            // One that is too dear is none; the others are still looked at.
-            let proof = mended.bounded(|checker| checker.proof_of(equation, link, spent));
-            let Ok(Some((given, proof))) = proof else {
+            let Some((given, proof)) = self.proof_with(equation, link, &corrected, spent) else {
                 continue;
             };
+            match self.with_one_less(equation, link, &candidate, trial) {
+                Fewer::Needed => {}
+                Fewer::SaysNothing => {
+                    trial.empty += 1;
+                    continue;
+                }
+                Fewer::Enough(fewer) => {
+                    let sides = [link.left, link.right].map(|p| p.find(&fewer.display));
+                    let text = sides.map(|e| e.map(latex::write_expr).unwrap_or_default());
+                    if seen.insert(text.join(" = ")) {
+                        proved.push(*fewer);
+                    }
+                    continue;
+                }
+            }
             proved.push(Proved {
                 candidate,
                 display: corrected,
@@ -332,6 +356,70 @@ impl<'m> Checker<'m> {
 }
 
 impl Checker<'_> {
+    /// The proof of a link with this display; one that is too dear is none. The letters of functions that
+    /// one without uses are given back.
+    fn proof_with(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        display: &Display,
+        spent: &mut u64,
+    ) -> Option<(Option<Given>, Proof)> {
+        let table = self.functions().cloned();
+        let given_out = table.as_ref().map(FunctionTable::given_out);
+        let mut mended = self.corrected(equation, display.clone());
+        let proof = mended.bounded(|checker| checker.proof_of(equation, link, spent));
+        drop(mended);
+        let proof = proof.ok().flatten();
+        if let (None, Some(table), Some(count)) = (&proof, table, given_out) {
+            table.take_back(count);
+        }
+        proof
+    }
+
+    /// Whether some edits that mend a link with functions do so with one of them less, which the filter
+    /// does not always see.
+    fn with_one_less(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        candidate: &Candidate,
+        trial: &mut Trial<'_, '_>,
+    ) -> Fewer {
+        if self.model.functions.is_none() || candidate.steps.len() < 2 {
+            return Fewer::Needed;
+        }
+        for k in 0..candidate.steps.len() {
+            let mut steps = candidate.steps.clone();
+            steps.remove(k);
+            let fewer = match steps.as_slice() {
+                [only] => Candidate::single(only),
+                _ => Candidate::repeated(steps.iter().collect()),
+            };
+            let display = edited(trial.display, &fewer.steps);
+            let spent = &mut trial.spent.work;
+            let Some((given, proof)) = self.proof_with(equation, link, &display, spent) else {
+                continue;
+            };
+            if given.is_some() {
+                continue;
+            }
+            let mark = trial.store.mark();
+            let emptied = saying::emptied(self.model, trial, &display, &fewer);
+            trial.store.release(mark);
+            return match emptied {
+                Some(_) => Fewer::SaysNothing,
+                None => Fewer::Enough(Box::new(Proved {
+                    candidate: fewer,
+                    display,
+                    given,
+                    proof,
+                })),
+            };
+        }
+        Fewer::Needed
+    }
+
     /// The proof of a link as it stands now, and the relation that it needs.
     fn proof_of(
         &mut self,

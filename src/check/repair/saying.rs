@@ -8,6 +8,7 @@
 
 use super::Candidate;
 use super::residue::Residue;
+use super::restated;
 use super::sites::Trial;
 use crate::check::edit::{form, name_of, written};
 use crate::domain::{Domain, PrimeField};
@@ -15,6 +16,7 @@ use crate::evaluate::Value;
 use crate::expr::walk::{children, visit};
 use crate::expr::{Display, Expr, ExprKind, Name};
 use crate::latex;
+use crate::model::Model;
 use crate::model::links::Link;
 use crate::verdict::EditClass;
 use num_traits::Zero;
@@ -25,7 +27,8 @@ use std::collections::BTreeSet;
 pub(super) enum Emptied {
     /// Both sides are the same but for order and brackets.
     Tautology,
-    /// Both sides are the same monomials, and something was put in to make them so.
+    /// Both sides are the same monomials, with the definitions inserted or without, and something was put
+    /// in to make them so.
     Restatement,
     /// Something is zero by its form, or vanishes in value, that did not.
     Vanishing,
@@ -35,8 +38,10 @@ pub(super) enum Emptied {
     Borrowed,
     /// The zero that is claimed is no zero any more, but no number either.
     Zero,
-    /// Letters are gone, or nearly all terms.
+    /// Letters are gone, all of them or several, or nearly all terms.
     Lost,
+    /// Numbers alone, made to fit by several edits.
+    Fitted,
     /// The same was put in on both sides.
     BothSides,
     /// Some of its edits do without the others.
@@ -45,6 +50,7 @@ pub(super) enum Emptied {
 
 /// In what way a candidate that makes the sides agree says less than the print did, if it does.
 pub(super) fn emptied(
+    model: &Model,
     trial: &mut Trial<'_, '_>,
     corrected: &Display,
     candidate: &Candidate,
@@ -56,9 +62,21 @@ pub(super) fn emptied(
     if written::arranged(after[0]) == written::arranged(after[1]) {
         return Some(Emptied::Tautology);
     }
+    if restated::only_constants(model, &before, &after) {
+        return Some(Emptied::Lost);
+    }
+    if several && restated::about_numbers(model, &before) {
+        return Some(Emptied::Fitted);
+    }
+    if restated::adds_to_a_number(&before, &after) {
+        return Some(Emptied::Unwritten);
+    }
     let gained = [0, 1].map(|k| gained(before[k], after[k]));
     let put_in = gained.iter().any(|names| !names.is_empty());
     if form::same_form(after[0], after[1]) && (several || put_in) {
+        return Some(Emptied::Restatement);
+    }
+    if put_in && renames(candidate, several) && restated::says_a_definition_again(model, &after) {
         return Some(Emptied::Restatement);
     }
     for (k, side) in after.iter().enumerate() {
@@ -106,6 +124,25 @@ pub(super) fn emptied(
         }
     }
     None
+}
+
+/// Whether names were put in for more than one slip of a letter: beside other edits, as factors or terms,
+/// or as a whole side. Whoever writes one letter for another inside of a definition means that definition.
+fn renames(candidate: &Candidate, several: bool) -> bool {
+    candidate.steps.iter().any(|step| match step.class {
+        EditClass::Letter => several || step.address.path.is_empty(),
+        EditClass::Term => true,
+        EditClass::Sign
+        | EditClass::Factor
+        | EditClass::Exponent
+        | EditClass::Index
+        | EditClass::Bracket
+        | EditClass::Transpose
+        | EditClass::Dot
+        | EditClass::Inversion
+        | EditClass::Measure
+        | EditClass::Limit => false,
+    })
 }
 
 fn sides<'d>(display: &'d Display, link: &Link) -> Option<[&'d Expr; 2]> {

@@ -12,6 +12,8 @@ mod elasticity;
 mod extremum;
 mod limit;
 mod line;
+mod loss;
+mod optimum;
 mod range;
 mod sign;
 

@@ -168,7 +168,8 @@ impl Collector<'_> {
             }
             for outcome in outcomes {
                 if let Verdict::HoldsGiven(given, _) = &outcome.verdict {
-                    let mut line = relations(&self.formulas, given);
+                    let mut line =
+                        relations(&self.formulas.here(&self.audit.model, outcome), given);
                     if !given.implied_by.is_empty() {
                         let by = labels(&given.implied_by);
                         line = line.words(format!(", which {by} implies"));
@@ -432,17 +433,18 @@ impl Collector<'_> {
         else {
             return None;
         };
+        let formulas = self.formulas.here(&self.audit.model, outcome);
         // Only the first entry's difference would be shown.
         let shown = match refutation.shown() {
             Shown::Point(witness) => witness.point.len() <= WITNESS,
             Shown::Structure(_) | Shown::CounterProof(_) => true,
         };
         let first = refutation.residual.first();
-        let long = first.is_some_and(|e| is_long(&self.formulas, e));
+        let long = first.is_some_and(|e| is_long(&formulas, e));
         if !shown && refutation.part.is_none() && long {
             return None;
         }
-        let reason = false_because(self.audit, &self.formulas, outcome, refutation, WITNESS);
+        let reason = false_because(self.audit, &formulas, outcome, refutation, WITNESS);
         (!reason.is_empty()).then_some(reason)
     }
 }

@@ -12,6 +12,7 @@ use crate::report::reason::{Kind, equation_of, kind_of, number_of};
 use crate::report::reasoning::{argument, conditions};
 use crate::standing::Standing;
 use crate::verdict::{NonVanishing, Outcome, Verdict};
+use std::borrow::Cow;
 
 /// Links whose equation is shorter than this are repeated beside their verdict.
 const INLINE: usize = 60;
@@ -62,13 +63,28 @@ pub(super) fn write(tex: &mut Tex, audit: &Audit, formulas: &Formulas) {
             tex.blocks(&blocks);
         }
         let mut divisors: Vec<NonVanishing> = Vec::new();
-        for condition in audit.outcomes_of(index).flat_map(|o| &o.conditions) {
-            if !known.iter().any(|d| d.factor == condition.factor) {
-                known.push(condition.clone());
+        for outcome in audit.outcomes_of(index) {
+            for condition in &outcome.conditions {
+                // Where letters stood for other functions the same polynomial is another divisor.
+                let known_here = match outcome.letters {
+                    None => &mut known,
+                    Some(_) => &mut divisors,
+                };
+                if known_here.iter().any(|d| d.factor == condition.factor) {
+                    continue;
+                }
+                if outcome.letters.is_none() {
+                    known.push(condition.clone());
+                }
                 divisors.push(condition.clone());
             }
         }
-        if let Some(prose) = conditions(formulas, &divisors) {
+        // All links of an equation are settled with the same letters.
+        let formulas = match audit.outcomes_of(index).next() {
+            Some(outcome) => formulas.here(&audit.model, outcome),
+            None => Cow::Borrowed(formulas),
+        };
+        if let Some(prose) = conditions(&formulas, &divisors) {
             tex.paragraph(&prose);
         }
     }
