@@ -156,7 +156,12 @@ impl<'w, 'm> Evaluator<'w, 'm> {
                 .map_err(|r| r.at(denominator.span))
             }
             ExprKind::Power { base, exponent } => self.power(base, exponent, span),
-            ExprKind::Transpose(inner) => Ok(self.expression(inner)?.transposed()),
+            ExprKind::Transpose(inner) => match self.expression(inner)? {
+                Value::Scalar(_) if !latex::is_matrix_like(inner) => {
+                    unsupported(latex::SCALAR_TRANSPOSED)
+                }
+                value => Ok(value.transposed()),
+            },
             ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
             ExprKind::BigSum {
                 index,

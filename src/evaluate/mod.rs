@@ -31,6 +31,7 @@ pub use world::World;
 
 use crate::domain::Domain;
 use crate::expr::{Display, Expr, ExprKind, Name, Sign};
+use crate::latex;
 use crate::model::names::Resolved;
 use crate::model::{Letter, Model, Node};
 use crate::span::Span;
@@ -261,10 +262,13 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                 ..
             } => self.quotient(numerator, denominator),
             ExprKind::Power { base, exponent } => self.power(base, exponent, span),
-            ExprKind::Transpose(inner) => Ok(match self.expression(inner)? {
-                Value::Matrix(m) => Value::Matrix(m.transpose()),
-                other => other,
-            }),
+            ExprKind::Transpose(inner) => match self.expression(inner)? {
+                Value::Matrix(m) => Ok(Value::Matrix(m.transpose())),
+                Value::Scalar(_) if !latex::is_matrix_like(inner) => {
+                    Err(Failure::unsupported(latex::SCALAR_TRANSPOSED, span))
+                }
+                value @ (Value::Scalar(_) | Value::Zero) => Ok(value),
+            },
             ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
             ExprKind::Call { function, argument } => self.call(*function, argument, span),
             ExprKind::BigSum {

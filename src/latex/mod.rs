@@ -21,9 +21,10 @@
 //!   equation stand in the bracket, a factor if it is declared as anything else or if the bracket
 //!   holds more than a name or a number. Undeclared, it is a function before the letter that
 //!   declared functions are functions of (`w(t)`), and ambiguous otherwise.
-//! - `^T` and `^t` transpose. Where the letter is declared, they still do on what is bold or a
-//!   matrix, are an exponent on other lower-case letters, numbers and brackets, and are ambiguous
-//!   on a capital; on `e` that nothing declares they are an exponent.
+//! - `^T` and `^t` transpose. Where the letter has a meaning, `^T` still does on what is bold or a
+//!   matrix and `^t` is ambiguous there; both are an exponent on other lower-case letters, numbers and brackets, and
+//!   ambiguous on a capital; on `e` that nothing declares they are an exponent. What turns out to be a scalar is
+//!   not transposed: nothing says that no power is meant.
 //! - Round trip: `parse(write(x))` is `x` up to brackets that `x` lacks and the page needs.
 
 mod layout;
@@ -42,7 +43,12 @@ pub struct Reading {
     pub latex: String,
 }
 
+/// What is not computed where `^T` or `^t` stands at a scalar that looks like no matrix.
+pub(crate) const SCALAR_TRANSPOSED: &str =
+    "a transpose of a scalar, which may be meant as a power,";
+
 pub use layout::DEPTH_LIMIT;
+pub(crate) use parser::is_matrix_like;
 pub use signature::Signature;
 pub(crate) use vocabulary::is_condition;
 pub use writer::{canonical, write_chain, write_display, write_expr, write_relation};

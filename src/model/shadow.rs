@@ -5,7 +5,7 @@
 //! that is a function of it), the print does not say which of the two is meant.
 
 use super::names::Resolved;
-use super::{Model, Node};
+use super::{Model, Node, NotationKind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::walk::children;
 use crate::expr::{Expr, ExprKind, Name};
@@ -30,6 +30,9 @@ impl Model {
             } => {
                 self.shadowed_letters(from, indices, report);
                 self.shadowed_letters(to, indices, report);
+                if self.is_constant(index) {
+                    report.push(both(&latex::canonical(index), expr.span));
+                }
                 indices.push(latex::canonical(index));
                 self.shadowed_letters(body, indices, report);
                 indices.pop();
@@ -74,6 +77,14 @@ impl Model {
         for child in children(expr) {
             self.shadowed_letters(child, indices, report);
         }
+    }
+
+    /// Whether the notation says that a name is a constant, such as e or i.
+    fn is_constant(&self, name: &Name) -> bool {
+        let kinds = self.notation.iter().filter(|n| n.name == *name);
+        kinds
+            .map(|n| &n.kind)
+            .any(|kind| matches!(kind, NotationKind::Constant(_)))
     }
 
     /// The symbols that a name's value depends on beside itself; without those that a function gets as its

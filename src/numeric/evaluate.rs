@@ -14,6 +14,7 @@ use super::unknowns::SolvedSystem;
 use super::value::{Failure, FailureKind, Value};
 use super::{LyapunovMethod, NumericError};
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
+use crate::latex;
 use crate::span::Span;
 use nalgebra::DMatrix;
 use num_traits::ToPrimitive;
@@ -164,7 +165,12 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
                 ..
             } => self.quotient(numerator, denominator),
             ExprKind::Power { base, exponent } => self.power(base, exponent, span),
-            ExprKind::Transpose(inner) => Ok(self.expression(inner)?.transposed()),
+            ExprKind::Transpose(inner) => match self.expression(inner)? {
+                Value::Scalar(_) if !latex::is_matrix_like(inner) => {
+                    Err(Failure::unsupported(latex::SCALAR_TRANSPOSED, span))
+                }
+                value => Ok(value.transposed()),
+            },
             ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
             ExprKind::Call { function, argument } => self.call(*function, argument, span),
             ExprKind::BigSum {

@@ -14,8 +14,9 @@ mod operator;
 mod script;
 mod slash;
 
-pub(super) use script::is_mark;
 pub(super) use operator::begins_with_bracket;
+pub(super) use script::is_mark;
+pub(crate) use script::is_matrix_like;
 pub(super) use slash::{ends_divisor, ends_in_bare_letters};
 
 use super::Reading;

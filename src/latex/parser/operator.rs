@@ -365,9 +365,7 @@ fn derivative(variables: Vec<(u8, Name)>, body: Expr, span: Span) -> Expr {
 pub(in crate::latex) fn begins_with_bracket(expr: &Expr) -> bool {
     let is_bracket = |e: &Expr| matches!(e.kind, ExprKind::Group { .. } | ExprKind::Sum(_));
     match &expr.kind {
-        ExprKind::Product(factors) => {
-            is_bracket(&factors[0]) || begins_with_bracket(&factors[0])
-        }
+        ExprKind::Product(factors) => is_bracket(&factors[0]) || begins_with_bracket(&factors[0]),
         ExprKind::Quotient {
             numerator,
             style: QuotientStyle::Slash,

@@ -211,9 +211,13 @@ impl Parser<'_> {
         if letter.letter.font == Font::Roman {
             return Ok(true);
         }
-        let declared = self.signature.knows_letter(&plain.letter.base);
+        let declared = self.signature.has_letter(&plain.letter.base);
         if is_matrix_like(base) {
-            return Ok(true);
+            // A transpose beside a kinetic energy T is no riddle; a power by a number t may be meant.
+            return match declared && plain == Name::italic("t") {
+                true => Err(self.ambiguous(["a transpose", "a power"], span)),
+                false => Ok(true),
+            };
         }
         match &base.kind {
             ExprKind::Number(_) => Ok(false),
@@ -263,7 +267,7 @@ pub(in crate::latex) fn is_mark(base: &Expr, exponent: &Expr) -> bool {
 }
 
 /// Whether something bold or a matrix is printed in the expression.
-fn is_matrix_like(expr: &Expr) -> bool {
+pub(crate) fn is_matrix_like(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Matrix { .. } => true,
         ExprKind::Name(name) => name.letter.font == Font::Bold,
