@@ -22,7 +22,7 @@
 //!   holds more than a name or a number. Undeclared, it is a function before the letter that
 //!   declared functions are functions of (`w(t)`), and ambiguous otherwise.
 //! - `^T` and `^t` transpose. Where the letter has a meaning, `^T` still does on what is bold or a
-//!   matrix and `^t` is ambiguous there; both are an exponent on other lower-case letters, numbers and brackets, and
+//!   matrix, and so does `^t` where it is the time of functions, otherwise ambiguous; both are an exponent on other lower-case letters, numbers and brackets, and
 //!   ambiguous on a capital; on `e` that nothing declares they are an exponent. What turns out to be a scalar is
 //!   not transposed: nothing says that no power is meant.
 //! - Round trip: `parse(write(x))` is `x` up to brackets that `x` lacks and the page needs.

@@ -882,7 +882,18 @@ fn covariance(left: Expr, right: Expr) -> NotationKind {
             inner.span,
         ),
     };
-    let transposed = Expr::new(ExprKind::Transpose(Box::new(grouped(&right))), right.span);
+    // Its own transpose is no power that looks like one, whatever the letter.
+    let transposed = match latex::is_matrix_like(&right) {
+        true => grouped(&right),
+        false => {
+            let kind = ExprKind::Matrix {
+                rows: vec![vec![right.clone()]],
+                bracket: Bracket::None,
+            };
+            Expr::new(kind, right.span)
+        }
+    };
+    let transposed = Expr::new(ExprKind::Transpose(Box::new(transposed)), right.span);
     let product = Expr::new(ExprKind::Product(vec![grouped(&left), transposed]), span);
     NotationKind::Covariance(Box::new(Covariance {
         left,

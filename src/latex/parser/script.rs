@@ -213,8 +213,9 @@ impl Parser<'_> {
         }
         let declared = self.signature.has_letter(&plain.letter.base);
         if is_matrix_like(base) {
-            // A transpose beside a kinetic energy T is no riddle; a power by a number t may be meant.
-            return match declared && plain == Name::italic("t") {
+            // Beside a time t or an energy T it is no riddle; by another letter a power may be meant.
+            let number = plain == Name::italic("t") && !self.signature.is_variable("t");
+            return match declared && number {
                 true => Err(self.ambiguous(["a transpose", "a power"], span)),
                 false => Ok(true),
             };
