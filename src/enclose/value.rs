@@ -99,7 +99,10 @@ impl Value {
         match self {
             Value::Scalar(x) => Ok(Matrix::from_fn(1, 1, |_, _| x.clone())),
             Value::Matrix(m) if m.is_square() => Ok(m.clone()),
-            Value::Matrix(_) | Value::Zero => Err(misfit(operation, self, self)),
+            Value::Matrix(_) => Err(misfit(operation, self, self)),
+            Value::Zero => Err(Reason::Unsupported(
+                "a determinant of a zero without a shape",
+            )),
         }
     }
 }

@@ -339,7 +339,11 @@ impl<D: Domain> Evaluator<'_, D> {
         let square = |value: Value<D::Element>| match &value {
             Value::Matrix(m) if m.is_square() => Ok(m.clone()),
             Value::Scalar(s) => Ok(Matrix::from_fn(1, 1, |_, _| s.clone())),
-            Value::Matrix(_) | Value::Zero => Err(Failure::new(
+            Value::Zero => Err(Failure::unsupported(
+                "a determinant of a zero without a shape",
+                span,
+            )),
+            Value::Matrix(_) => Err(Failure::new(
                 FailureKind::Shape {
                     operation: "determinant".into(),
                     left: value.shape_text(),

@@ -80,6 +80,8 @@ b = { positive = true }
 'Z_{i,j}' = { entry_of = '\mathbf{Z}' }
 'Y_{i,j}' = { entry_of = '\mathbf{Y}' }
 'X_{i,j}' = { entry_of = '\mathbf{X}' }
+'H_i' = { leading_minor_of = '\mathbf{Y}' }
+'a_i' = { characteristic_coefficient_of = '\mathbf{Y}' }
 'r' = { rows_of = '\mathbf{Y}' }
 ```
 ```math 1 define
@@ -131,7 +133,9 @@ fn a_zero_without_a_shape_has_no_entries_and_no_inverse() {
         ));
     }
     for right in ["2", "0", "a"] {
-        claims.push(Claim::plain(format!("r = {right}"), Open));
+        for left in ["r", "H_1", "H_2", "a_1", "a_2"] {
+            claims.push(Claim::plain(format!("{left} = {right}"), Open));
+        }
     }
     let open = undecided(ZEROS, &claims);
     assert!(open.is_empty(), "{open:#?}");
