@@ -175,7 +175,7 @@ fn constants_are_not_constant_in_the_time_by_default() {
             format!("g({k}x + y)"),
             format!("g(x) + {k}"),
             format!("{k}(g(x))"),
-            format!("a^{k}g(x)"),
+            format!("a^{{{k}}}g(x)"),
             format!(r"\frac{{g(x)}}{{{k}}}"),
             format!("g(g(x)) - {k}"),
         ] {
