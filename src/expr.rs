@@ -5,6 +5,7 @@
 //! letter with a label is decided by the document's model. The exact and the floating-point
 //! route meet only here.
 
+pub mod integer;
 pub mod reading;
 pub mod walk;
 
@@ -415,9 +416,75 @@ impl Name {
     }
 }
 
+impl Relation {
+    /// Whether it puts its sides in an order: one of the four inequalities.
+    pub fn is_order(self) -> bool {
+        match self {
+            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual => {
+                true
+            }
+            Relation::Equal
+            | Relation::NotEqual
+            | Relation::Distributed
+            | Relation::Approximately
+            | Relation::Tends => false,
+        }
+    }
+}
+
 impl Expr {
     /// An expression at a place.
     pub fn new(kind: ExprKind, span: Span) -> Self {
         Expr { kind, span }
+    }
+
+    /// The name that it is, where it is nothing more.
+    pub fn as_name(&self) -> Option<&Name> {
+        if let ExprKind::Name(name) = &self.kind {
+            Some(name)
+        } else {
+            None
+        }
+    }
+
+    /// The printed number that it is, where it is nothing more.
+    pub fn as_number(&self) -> Option<&BigRational> {
+        if let ExprKind::Number(number) = &self.kind {
+            Some(number)
+        } else {
+            None
+        }
+    }
+
+    /// The letter and its value, where it is an argument that names the letter it replaces.
+    pub fn as_named_argument(&self) -> Option<(&Name, &Expr)> {
+        if let ExprKind::Named { name, value } = &self.kind {
+            Some((name, value))
+        } else {
+            None
+        }
+    }
+
+    /// `\infty`, `+\infty` or `-\infty`: which of the two infinities it is.
+    pub fn as_infinity(&self) -> Option<Sign> {
+        if self.kind == ExprKind::Infinity {
+            return Some(Sign::Plus);
+        }
+        if let ExprKind::Sum(terms) = &self.kind
+            && let [(sign, term)] = terms.as_slice()
+            && term.kind == ExprKind::Infinity
+        {
+            return Some(*sign);
+        }
+        None
+    }
+
+    /// What stands in its brackets, however many; itself where there are none.
+    pub fn without_brackets(&self) -> &Expr {
+        let mut inner = self;
+        while let ExprKind::Group { inner: next, .. } = &inner.kind {
+            inner = next;
+        }
+        inner
     }
 }

@@ -10,6 +10,8 @@
 //! the names it defines are suspects: where a later equation does not fit because of one, the
 //! suspect is given up and its units are found out anew from its other uses.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod accent;
 mod agreement;
 mod audit;
@@ -30,6 +32,7 @@ pub use dimension::{Base, Dimension};
 pub use finding::{UnitFinding, UnitSite};
 pub use parse::Unit;
 
+use crate::expr::walk::{own_name, visit};
 use crate::expr::{Chain, Clause, Display, Expr, ExprKind, IndexRange, Name, Relation};
 use crate::model::NotationKind;
 use crate::span::Span;
@@ -98,7 +101,14 @@ impl Units {
         let arity = match convention {
             NotationKind::CharacteristicCoefficient(_) | NotationKind::LeadingMinor(_) => 1,
             NotationKind::Cofactor(_) | NotationKind::Entry(_) => 2,
-            _ => {
+            NotationKind::Identity(_)
+            | NotationKind::Zero
+            | NotationKind::Rows(_)
+            | NotationKind::Constant(_)
+            | NotationKind::Dirac
+            | NotationKind::Means(_)
+            | NotationKind::Covariance(_)
+            | NotationKind::HurwitzMatrix(_) => {
                 self.names.conventions.insert(key(name), convention);
                 return;
             }
@@ -138,14 +148,14 @@ impl Units {
         if !checker.findings.is_empty() || !checker.suspects.is_empty() {
             return None;
         }
-        match measure {
-            Measure::Scalar(entry) => self.shown(&entry),
-            _ => None,
-        }
+        self.shown_dimension(measure.dimension()?)
     }
 
     fn shown(&self, entry: &measure::Entry) -> Option<String> {
-        let dimension = entry.dimension.as_ref()?;
+        self.shown_dimension(entry.dimension.as_ref()?)
+    }
+
+    fn shown_dimension(&self, dimension: &Dimension) -> Option<String> {
         let dimension = self.names.unification.resolve(dimension);
         dimension.is_known().then(|| dimension.to_string())
     }
@@ -256,24 +266,20 @@ impl Units {
                     defined.insert(key(name));
                 }
                 for member in &chain.members {
-                    each(member, &mut |expr| match &expr.kind {
-                        ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
-                            unknown.push(name);
-                        }
-                        ExprKind::Integral { variable, .. } => unknown.push(variable),
-                        ExprKind::Derivative { variable, .. } => unknown.extend(variable),
-                        ExprKind::BigSum { index, .. } => {
+                    visit(member, &mut |expr| {
+                        if let ExprKind::BigSum { index, .. } = &expr.kind {
                             bound.insert(key(index));
+                        } else {
+                            unknown.extend(own_name(expr));
                         }
-                        ExprKind::Underbrace { label, .. } => {
+                        if let ExprKind::Underbrace { label, .. } = &expr.kind {
                             match (defining_name(label), label.relations.is_empty()) {
                                 (Some(name), true) => {
                                     defined.insert(key(name));
                                 }
-                                _ => open.push(label),
+                                (None, true) | (_, false) => open.push(label),
                             }
                         }
-                        _ => {}
                     });
                 }
             }
@@ -283,7 +289,7 @@ impl Units {
             bound.contains(&key(name))
                 || indices.into_iter().any(|index| {
                     let mut found = false;
-                    each(index, &mut |expr| {
+                    visit(index, &mut |expr| {
                         found |= matches!(&expr.kind, ExprKind::Name(n) if bound.contains(&key(n)));
                     });
                     found
@@ -308,53 +314,12 @@ impl Units {
 
 /// The name at the beginning of a chain.
 fn defining_name(chain: &Chain) -> Option<&Name> {
-    match &chain.members.first()?.kind {
-        ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => Some(name),
-        _ => None,
-    }
-}
-
-/// Calls `see` on every part of an expression, but not on the labels under braces.
-fn each<'e>(expr: &'e Expr, see: &mut impl FnMut(&'e Expr)) {
-    see(expr);
-    let mut inner = |parts: &[&'e Expr]| {
-        for part in parts {
-            each(part, see);
-        }
-    };
-    match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Infinity | ExprKind::Constant => {}
-        ExprKind::Apply {
-            arguments: parts, ..
-        }
-        | ExprKind::Product(parts)
-        | ExprKind::Tuple(parts) => inner(&parts.iter().collect::<Vec<_>>()),
-        ExprKind::Sum(terms) => inner(&terms.iter().map(|(_, e)| e).collect::<Vec<_>>()),
-        ExprKind::Matrix { rows, .. } => inner(&rows.iter().flatten().collect::<Vec<_>>()),
-        ExprKind::Cases(cases) => inner(&cases.iter().map(|(e, _)| e).collect::<Vec<_>>()),
-        ExprKind::Quotient {
-            numerator: a,
-            denominator: b,
-            ..
-        }
-        | ExprKind::Power {
-            base: a,
-            exponent: b,
-        } => inner(&[a, b]),
-        ExprKind::BigSum { from, to, body, .. } => inner(&[from, to, body]),
-        ExprKind::Integral { limits, body, .. } => {
-            if let Some((from, to)) = limits {
-                inner(&[from, to]);
-            }
-            inner(&[body]);
-        }
-        ExprKind::Named { value: e, .. }
-        | ExprKind::Call { argument: e, .. }
-        | ExprKind::Transpose(e)
-        | ExprKind::Group { inner: e, .. }
-        | ExprKind::Derivative { body: e, .. }
-        | ExprKind::Expectation(e)
-        | ExprKind::Underbrace { body: e, .. } => inner(&[e]),
+    if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } =
+        &chain.members.first()?.kind
+    {
+        Some(name)
+    } else {
+        None
     }
 }
 

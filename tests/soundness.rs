@@ -3,6 +3,8 @@
 
 #[path = "soundness/admitted.rs"]
 mod admitted;
+#[path = "soundness/arms.rs"]
+mod arms;
 #[allow(dead_code)]
 mod common;
 #[path = "soundness/corrections.rs"]

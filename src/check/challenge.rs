@@ -24,16 +24,13 @@ const INEQUALITY_POINTS: usize = 40;
 const WORK: u64 = 300_000;
 
 impl<'m> Checker<'m> {
-    /// The document as the second route sees it, with a display in place of an equation's.
-    fn world(&self, changed: Option<(usize, &Display)>) -> World<'m> {
+    /// The document as the second route sees it, with displays in place of some equations'.
+    fn world<'d>(&self, changed: impl IntoIterator<Item = (usize, &'d Display)>) -> World<'m> {
         let corrected = self.exact.world().corrections();
-        let corrected = corrected.map(|(e, d)| (e, d.clone()));
-        let changed = changed.map(|(e, d)| (e, d.clone()));
-        World::new(
-            self.model,
-            self.instance,
-            corrected.chain(changed).collect(),
-        )
+        let displays = corrected
+            .map(|(e, d)| (e, d.clone()))
+            .chain(changed.into_iter().map(|(e, d)| (e, d.clone())));
+        World::new(self.model, self.instance, displays.collect())
     }
 
     /// What is proved of a link, unless a second route finds its sides apart at a point.
@@ -61,16 +58,7 @@ impl<'m> Checker<'m> {
             | Verdict::Definition { .. }
             | Verdict::Recalled { .. } => return verdict,
         };
-        let mut corrected: std::collections::BTreeMap<usize, Display> = self
-            .exact
-            .world()
-            .corrections()
-            .map(|(e, d)| (e, d.clone()))
-            .collect();
-        for (e, display) in corrections {
-            corrected.insert(e, display.clone());
-        }
-        let world = World::new(self.model, self.instance, corrected);
+        let world = self.world(corrections);
         let hypotheses = printed.assume.iter().chain(given);
         if self.misses_rates(equation, link) {
             return verdict;

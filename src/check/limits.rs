@@ -13,7 +13,7 @@ use super::edit::{Address, Change, Replacement};
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
-use crate::expr::walk::{children, children_mut};
+use crate::expr::walk::{children, children_mut, mentions};
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::FunctionTable;
 use crate::model::links::{Link, Place};
@@ -464,15 +464,6 @@ fn set_moving(expr: &mut Expr, approach: &Approach) -> bool {
         elsewhere |= set_moving(child, approach);
     }
     elsewhere
-}
-
-/// Whether a name stands in an expression.
-pub(super) fn mentions(expr: &Expr, letter: &Name) -> bool {
-    let itself = matches!(&expr.kind, ExprKind::Name(name) if name == letter);
-    itself
-        || children(expr)
-            .into_iter()
-            .any(|child| mentions(child, letter))
 }
 
 fn has_integral(expr: &Expr) -> bool {

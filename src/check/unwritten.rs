@@ -5,8 +5,7 @@
 //! on it.
 
 use super::Checker;
-use super::limits::mentions;
-use crate::expr::walk::{children, visit};
+use crate::expr::walk::{children, mentions, visit};
 use crate::expr::{Expr, ExprKind, Function, Name, Relation};
 use crate::model::links::Link;
 use crate::model::names::Resolved;

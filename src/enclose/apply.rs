@@ -41,7 +41,9 @@ impl Truth {
         match (self, other) {
             (Truth::False, _) | (_, Truth::False) => Truth::False,
             (Truth::True, Truth::True) => Truth::True,
-            _ => Truth::Unknown,
+            (Truth::Unknown, Truth::True | Truth::Unknown) | (Truth::True, Truth::Unknown) => {
+                Truth::Unknown
+            }
         }
     }
 }
@@ -161,24 +163,16 @@ impl Evaluator<'_, '_> {
         let parameters = self.world.parameters(definition);
         let mut images = Vec::new();
         for (position, argument) in arguments.iter().enumerate() {
-            let (name, value) = match &argument.kind {
-                ExprKind::Named { name, value } => (name, &**value),
-                _ => match parameters.get(position) {
-                    Some(name) => (name, argument),
-                    None => {
-                        let what = "more arguments than declared";
-                        return Err(Reason::Unsupported(what).at(span));
-                    }
-                },
-            };
+            let by_position = || parameters.get(position).map(|name| (name, argument));
+            let (name, value) = argument
+                .as_named_argument()
+                .or_else(by_position)
+                .ok_or_else(|| Reason::Unsupported("more arguments than declared").at(span))?;
             let symbol = self.plain_letter(name);
             let symbol =
                 symbol.ok_or_else(|| Reason::Undeclared(latex::canonical(name)).at(span))?;
-            let own = match &value.kind {
-                ExprKind::Name(n) => self.plain_letter(n) == Some(symbol),
-                _ => false,
-            };
-            if !own {
+            let letter = value.as_name().and_then(|n| self.plain_letter(n));
+            if letter != Some(symbol) {
                 images.push((symbol, self.scalar(value)?));
             }
         }
@@ -336,7 +330,13 @@ impl Arithmetic {
             return match relation {
                 Relation::Equal => Truth::of(equal),
                 Relation::NotEqual => Truth::of(equal.map(|e| !e)),
-                _ => Truth::Unknown,
+                Relation::Less
+                | Relation::LessEqual
+                | Relation::Greater
+                | Relation::GreaterEqual
+                | Relation::Distributed
+                | Relation::Approximately
+                | Relation::Tends => Truth::Unknown,
             };
         }
         let sign = number.re.sign();

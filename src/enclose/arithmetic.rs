@@ -135,7 +135,7 @@ impl Arithmetic {
             ) => Jet::form(*variable, self.add(constant, lower), slopes.clone()),
             (Jet::Number(a), lower) => match lower {
                 Jet::Number(b) => Jet::Number(a.add(b, self.bits)),
-                higher => self.add_lower(higher, upper),
+                Jet::Series { .. } | Jet::Form { .. } => self.add_lower(lower, upper),
             },
         }
     }
@@ -187,7 +187,7 @@ impl Arithmetic {
                     }
                     Ok(Jet::series(*variable, product))
                 }
-                lower => {
+                Jet::Series { .. } | Jet::Number(_) | Jet::Form { .. } => {
                     let product: Result<Vec<Jet>> =
                         terms.iter().map(|t| self.multiply(t, lower)).collect();
                     Ok(Jet::series(*variable, product?))

@@ -52,7 +52,9 @@ pub(super) fn assembled(blocks: &[Vec<Value>], wanted: Option<usize>) -> Result<
                         Value::Scalar(s) if (height, width) == (1, 1) => s.clone(),
                         Value::Scalar(s) if s.is_zero() => s.clone(),
                         Value::Matrix(m) if m.shape() == (height, width) => m[(r, c)].clone(),
-                        other => return Err(bad(other, (height, width))),
+                        Value::Scalar(_) | Value::Matrix(_) => {
+                            return Err(bad(value, (height, width)));
+                        }
                     });
                 }
             }

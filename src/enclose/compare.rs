@@ -15,6 +15,7 @@ use crate::latex;
 use crate::matrix::Matrix;
 use crate::model::Hypothesis;
 use crate::model::links::Link;
+use crate::model::time::Constancy;
 use crate::real::dyadic::Dyadic;
 use crate::real::{Complex, Real};
 use crate::span::Span;
@@ -82,15 +83,13 @@ impl Evaluator<'_, '_> {
             (_, ExprKind::Constant) => left,
             _ => return Ok((self.expression(left)?, self.expression(right)?)),
         };
-        let argument = match head.map(|h| &h.kind) {
-            Some(ExprKind::Apply { arguments, .. }) => match arguments.as_slice() {
-                [argument] => match &argument.kind {
-                    ExprKind::Name(name) if !self.world.is_time(name) => Some(name),
-                    _ => None,
-                },
-                _ => None,
-            },
-            _ => None,
+        let argument = match self.world.model().constancy(head) {
+            Constancy::Letter(name) => Some(name),
+            Constancy::Time => None,
+            Constancy::Unclear => {
+                let what = "a constant where nothing says in which letter";
+                return Err(Reason::Unsupported(what).at(other.span));
+            }
         };
         let rate = self.derivative(1, argument, other, other.span)?;
         Ok((rate, Value::Zero))
@@ -148,9 +147,11 @@ impl Evaluator<'_, '_> {
             }
             Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual => {
                 let strict = matches!(relation, Relation::Less | Relation::Greater);
-                let (upper, lower) = match relation {
-                    Relation::Greater | Relation::GreaterEqual => (left, right),
-                    _ => (right, left),
+                let downwards = matches!(relation, Relation::Greater | Relation::GreaterEqual);
+                let (upper, lower) = if downwards {
+                    (left, right)
+                } else {
+                    (right, left)
                 };
                 let difference = self.arithmetic.sum(upper, &lower.negated())?;
                 match &difference {
@@ -252,7 +253,14 @@ impl Evaluator<'_, '_> {
         let scalars = !matrix(left) && !matrix(right);
         let violates = |(_, l, r): &&(Option<(usize, usize)>, Jet, Jet)| match link.relation {
             Relation::Equal => self.arithmetic.related(l, Relation::Equal, r) == Truth::False,
-            _ => true,
+            Relation::NotEqual
+            | Relation::Less
+            | Relation::LessEqual
+            | Relation::Greater
+            | Relation::GreaterEqual
+            | Relation::Distributed
+            | Relation::Approximately
+            | Relation::Tends => true,
         };
         let (entry, l, r) =
             pairs
@@ -260,13 +268,12 @@ impl Evaluator<'_, '_> {
                 .find(violates)
                 .cloned()
                 .unwrap_or((None, Jet::zero(), Jet::zero()));
-        let difference = match link.relation {
-            Relation::Equal | Relation::NotEqual => None,
-            _ if scalars => None,
-            _ => match self.arithmetic.sum(left, &right.negated()) {
-                Ok(Value::Matrix(m)) => Some(m.map(|e| e.number().clone())),
-                _ => None,
-            },
+        // Matrices are ordered by the definiteness of their difference.
+        let difference = if link.relation.is_order() && !scalars {
+            let difference = self.arithmetic.sum(left, &right.negated()).ok();
+            difference.and_then(|d| Some(d.as_matrix()?.map(|e| e.number().clone())))
+        } else {
+            None
         };
         Shown {
             letters: self.used().map(|(s, k, z)| (s, k, z.clone())).collect(),

@@ -54,10 +54,13 @@ impl<'w, 'm> Degrees<'w, 'm> {
             ExprKind::Group { inner, .. }
             | ExprKind::Transpose(inner)
             | ExprKind::Underbrace { body: inner, .. } => self.of(inner),
-            ExprKind::Call { function, argument } => match function {
-                Function::Trace | Function::RealPart | Function::ImaginaryPart => self.of(argument),
-                _ => None,
-            },
+            ExprKind::Call { function, argument } => {
+                let linear = matches!(
+                    function,
+                    Function::Trace | Function::RealPart | Function::ImaginaryPart
+                );
+                if linear { self.of(argument) } else { None }
+            }
             ExprKind::Sum(terms) => self.largest(terms.iter().map(|(_, term)| term)),
             ExprKind::Matrix { rows, .. } => self.largest(rows.iter().flatten()),
             ExprKind::Product(factors) => {

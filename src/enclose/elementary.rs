@@ -194,11 +194,7 @@ impl Arithmetic {
         if u[0].is_zero() {
             return Err(Reason::Undefined(Undefined::Derivative));
         }
-        let lack = |reason| match reason {
-            Reason::Undefined(Undefined::Divisor) => Reason::Undefined(Undefined::Derivative),
-            Reason::Imprecise(Undefined::Divisor) => Reason::Imprecise(Undefined::Derivative),
-            other => other,
-        };
+        let lack = |reason: Reason| reason.renamed(Undefined::Divisor, Undefined::Derivative);
         let mut y = vec![first];
         for k in 1..=self.orders[variable] {
             let mut sum = Jet::zero();
@@ -268,11 +264,8 @@ impl Arithmetic {
                 None => Err(Reason::Imprecise(Undefined::Power)),
             };
         }
-        let logarithm = self.logarithm(x).map_err(|reason| match reason {
-            Reason::Undefined(Undefined::Logarithm) => Reason::Undefined(Undefined::Power),
-            Reason::Imprecise(Undefined::Logarithm) => Reason::Imprecise(Undefined::Power),
-            other => other,
-        })?;
+        let lack = |reason: Reason| reason.renamed(Undefined::Logarithm, Undefined::Power);
+        let logarithm = self.logarithm(x).map_err(lack)?;
         self.exponential(&self.multiply(&logarithm, y)?)
     }
 

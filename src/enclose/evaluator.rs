@@ -13,12 +13,11 @@ use super::letters::Layer;
 use super::point::Point;
 use super::value::{Value, misfit};
 use super::world::{Known, World};
-use crate::expr::{Expr, ExprKind, Function, Name, Sign};
+use crate::expr::{Expr, ExprKind, Function, Name, Sign, integer};
 use crate::latex;
 use crate::model::Node;
 use crate::real::{Complex, Real};
 use crate::span::Span;
-use num_traits::ToPrimitive;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -136,11 +135,10 @@ impl<'w, 'm> Evaluator<'w, 'm> {
             } => {
                 let above = self.expression(numerator)?;
                 let below = self.expression(denominator)?;
-                let Value::Scalar(below) = below else {
-                    return match below {
-                        Value::Zero => Err(Reason::Undefined(Undefined::Divisor).at(span)),
-                        _ => unsupported("division by a matrix"),
-                    };
+                let below = match below {
+                    Value::Scalar(below) => below,
+                    Value::Zero => return Err(Reason::Undefined(Undefined::Divisor).at(span)),
+                    Value::Matrix(_) => return unsupported("division by a matrix"),
                 };
                 // A zero of any shape has no quotient by what has none.
                 let one = Jet::integer(1);
@@ -148,7 +146,7 @@ impl<'w, 'm> Evaluator<'w, 'm> {
                     Value::Scalar(above) => {
                         self.arithmetic.divide(&above, &below).map(Value::Scalar)
                     }
-                    above => self
+                    Value::Matrix(_) | Value::Zero => self
                         .arithmetic
                         .divide(&one, &below)
                         .and_then(|i| self.arithmetic.product(&Value::Scalar(i), &above)),
@@ -262,9 +260,10 @@ impl<'w, 'm> Evaluator<'w, 'm> {
                 .sum(&sum, &term)
                 .map_err(|r| r.at(body.span))?;
         }
-        Ok(match sum {
-            Value::Zero if from > to => Value::Scalar(Jet::zero()),
-            sum => sum,
+        Ok(if from > to {
+            Value::Scalar(Jet::zero())
+        } else {
+            sum
         })
     }
 
@@ -392,30 +391,10 @@ impl<'w, 'm> Evaluator<'w, 'm> {
     }
 
     /// The integer that an index or exponent is: literal integers, bound letters, sizes.
-    pub(super) fn integer(&mut self, expr: &Expr) -> Result<i64> {
-        let fail = || Reason::Unsupported("an index that is no integer").at(expr.span);
-        match &expr.kind {
-            ExprKind::Number(n) if n.is_integer() => n.to_integer().to_i64().ok_or_else(fail),
-            ExprKind::Name(name) => self.bound_value(&latex::canonical(name)).ok_or_else(fail),
-            ExprKind::Group { inner, .. } => self.integer(inner),
-            ExprKind::Sum(terms) => terms.iter().try_fold(0i64, |sum, (sign, term)| {
-                let value = self.integer(term)?;
-                match sign {
-                    Sign::Plus => sum.checked_add(value),
-                    Sign::Minus => sum.checked_sub(value),
-                }
-                .ok_or_else(fail)
-            }),
-            ExprKind::Product(factors) => factors.iter().try_fold(1i64, |product, factor| {
-                product.checked_mul(self.integer(factor)?).ok_or_else(fail)
-            }),
-            ExprKind::Power { base, exponent } => {
-                let base = self.integer(base)?;
-                let exponent = u32::try_from(self.integer(exponent)?).ok();
-                exponent.and_then(|e| base.checked_pow(e)).ok_or_else(fail)
-            }
-            _ => Err(fail()),
-        }
+    pub(super) fn integer(&self, expr: &Expr) -> Result<i64> {
+        let letter = |name: &Name| self.bound_value(&latex::canonical(name));
+        integer::integer(expr, &letter)
+            .map_err(|part| Reason::Unsupported("an index that is no integer").at(part.span))
     }
 
     pub(super) fn bound_value(&self, name: &str) -> Option<i64> {
@@ -430,13 +409,10 @@ impl<'w, 'm> Evaluator<'w, 'm> {
 fn looks_like_a_matrix(expr: &Expr) -> bool {
     let mut bold = false;
     super::world::each(expr, &mut |e| {
-        bold |= match &e.kind {
-            ExprKind::Name(name) => {
+        bold |= matches!(e.kind, ExprKind::Matrix { .. })
+            || e.as_name().is_some_and(|name| {
                 name.letter.font == crate::expr::Font::Bold && name.subscript.is_none()
-            }
-            ExprKind::Matrix { .. } => true,
-            _ => false,
-        };
+            });
     });
     bold
 }

@@ -161,12 +161,13 @@ impl Evaluator<'_, '_> {
             value.get(e).map_or_else(Jet::zero, |x| (*x).clone())
         });
         let a = &self.arithmetic;
-        let factors = a.solve(&matrix, &right).map_err(|reason| match reason {
+        let factors = a.solve(&matrix, &right).map_err(|reason| {
             // No combination, or not only one: then it is not known.
-            Reason::Undefined(_) => {
-                Reason::Unsupported("an expectation of what is not known to be random").at(span)
+            if let Reason::Undefined(_) = reason {
+                let what = "an expectation of what is not known to be random";
+                return Reason::Unsupported(what).at(span);
             }
-            other => other.at(span),
+            reason.at(span)
         })?;
         let mut next = 0;
         quadratic

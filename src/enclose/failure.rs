@@ -89,6 +89,34 @@ impl Reason {
         }
     }
 
+    /// The same where a lack that is certain of a part makes the whole only doubtful.
+    #[must_use]
+    pub fn doubtful(self) -> Reason {
+        match self {
+            Reason::Undefined(lack) => Reason::Imprecise(lack),
+            Reason::Imprecise(_)
+            | Reason::Unsupported(_)
+            | Reason::Budget(_)
+            | Reason::Shape { .. }
+            | Reason::Undeclared(_)
+            | Reason::Outside(_)
+            | Reason::Cyclic
+            | Reason::NotLinear => self,
+        }
+    }
+
+    /// The same where what lacks is named otherwise: of the power, and not of the logarithm in it.
+    #[must_use]
+    pub fn renamed(self, from: Undefined, to: Undefined) -> Reason {
+        if self == Reason::Undefined(from) {
+            Reason::Undefined(to)
+        } else if self == Reason::Imprecise(from) {
+            Reason::Imprecise(to)
+        } else {
+            self
+        }
+    }
+
     /// Whether more digits may help.
     pub fn is_imprecise(&self) -> bool {
         matches!(self, Reason::Imprecise(_))

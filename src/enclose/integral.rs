@@ -203,11 +203,7 @@ impl Evaluator<'_, '_> {
 
 /// An integrand without a value somewhere does not make the integral certainly undefined.
 fn doubtful(none: NoValue) -> NoValue {
-    let reason = match none.reason {
-        Reason::Undefined(lack) => Reason::Imprecise(lack),
-        other => other,
-    };
-    reason.at(none.span)
+    none.reason.doubtful().at(none.span)
 }
 
 /// The numbers from `left / 2^depth` to `(left + 1) / 2^depth`.

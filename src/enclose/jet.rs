@@ -139,8 +139,13 @@ impl Jet {
             Jet::Series { variable, terms } if *variable == of => {
                 terms.get(power).cloned().unwrap_or_else(Jet::zero)
             }
-            other if power == 0 => other.clone(),
-            _ => Jet::zero(),
+            Jet::Number(_) | Jet::Series { .. } | Jet::Form { .. } => {
+                if power == 0 {
+                    self.clone()
+                } else {
+                    Jet::zero()
+                }
+            }
         }
     }
 
@@ -152,7 +157,9 @@ impl Jet {
                 constant,
                 slopes,
             } if *variable == of => ((**constant).clone(), slopes.clone()),
-            other => (other.clone(), BTreeMap::new()),
+            Jet::Number(_) | Jet::Series { .. } | Jet::Form { .. } => {
+                (self.clone(), BTreeMap::new())
+            }
         }
     }
 

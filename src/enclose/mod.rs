@@ -5,6 +5,8 @@
 //! ([`crate::real`]) at a [`Point`] that satisfies everything that a document declares and supposes. What
 //! it finds apart is apart; what overlaps proves nothing; what has no value says why.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod apply;
 mod arithmetic;
 mod blocks;

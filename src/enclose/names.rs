@@ -122,16 +122,12 @@ impl Evaluator<'_, '_> {
 
     fn node_here(&mut self, key: Key, span: Span) -> Result<Value> {
         if let Node::Unknown { system, position } = key.0 {
-            let trial = self
-                .layers
-                .iter()
-                .rev()
-                .find_map(|layer| match &layer.kind {
-                    LayerKind::Unknowns { system: of, values } if *of == system => {
-                        values.get(position)
-                    }
-                    _ => None,
-                });
+            let trial = self.layers.iter().rev().find_map(|layer| {
+                let LayerKind::Unknowns { system: of, values } = &layer.kind else {
+                    return None;
+                };
+                (*of == system).then(|| values.get(position))?
+            });
             if let Some(value) = trial {
                 return Ok(value.clone());
             }
@@ -344,7 +340,9 @@ impl Evaluator<'_, '_> {
 /// The entry with these indices, from 1; a vector may have one index.
 fn entry(value: &Value, indices: &[i64], span: Span) -> Result<Value> {
     let at = |k: i64| usize::try_from(k).ok()?.checked_sub(1);
-    let (rows, columns) = value.shape().unwrap_or((0, 0));
+    // Which entries the zero of any shape has is not known.
+    let none = Reason::Unsupported("an entry of a zero without a shape");
+    let (rows, columns) = value.shape().ok_or_else(|| none.at(span))?;
     let place = match indices {
         [i, j] => at(*i).zip(at(*j)),
         [i] if columns == 1 => at(*i).map(|i| (i, 0)),
@@ -356,6 +354,8 @@ fn entry(value: &Value, indices: &[i64], span: Span) -> Result<Value> {
             Ok(Value::Scalar(m[(i, j)].clone()))
         }
         (Value::Scalar(x), Some((0, 0))) => Ok(Value::Scalar(x.clone())),
-        _ => Err(Reason::Outside(indices.to_vec()).at(span)),
+        (Value::Matrix(_) | Value::Scalar(_) | Value::Zero, _) => {
+            Err(Reason::Outside(indices.to_vec()).at(span))
+        }
     }
 }

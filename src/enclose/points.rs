@@ -12,7 +12,7 @@ use super::failure::NoValue;
 use super::point::{Point, Tangle};
 use super::solved::Solver;
 use super::world::World;
-use crate::expr::{Expr, ExprKind, Relation};
+use crate::expr::{Expr, Relation};
 use crate::latex;
 use crate::model::Hypothesis;
 use crate::model::names::{Resolved, literal_number};
@@ -215,11 +215,8 @@ fn tangle(world: &World<'_>, hypotheses: &[&Hypothesis]) -> Tangle {
 
 /// Narrows the range of a letter that a hypothesis compares with a number.
 fn narrow(world: &World<'_>, hypothesis: &Hypothesis, ranges: &mut [Range]) {
-    let letter = |e: &Expr| match &e.kind {
-        ExprKind::Name(name) => match world.model().resolve(name, &|_| false) {
-            Ok(Resolved::Letter { symbol, order: 0 }) => Some(symbol),
-            _ => None,
-        },
+    let letter = |e: &Expr| match world.model().resolve(e.as_name()?, &|_| false) {
+        Ok(Resolved::Letter { symbol, order: 0 }) => Some(symbol),
         _ => None,
     };
     let (left, right) = (&hypothesis.left, &hypothesis.right);

@@ -96,30 +96,25 @@ fn eigenvalues(expr: &Expr) -> Option<&Expr> {
     let ExprKind::Call {
         function: Function::RealPart,
         argument,
-    } = &ungrouped(expr).kind
+    } = &expr.without_brackets().kind
     else {
         return None;
     };
     let is_lambda = |base: &str| base == EIGENVALUES;
-    match &ungrouped(argument).kind {
-        ExprKind::Apply {
-            function,
-            arguments,
-        } if is_lambda(&function.letter.base) && arguments.len() == 1 => Some(&arguments[0]),
-        ExprKind::Product(factors) => match factors.as_slice() {
-            [lambda, matrix] => match &lambda.kind {
-                ExprKind::Name(name) if is_lambda(&name.letter.base) => Some(ungrouped(matrix)),
-                _ => None,
-            },
-            _ => None,
-        },
-        _ => None,
+    let argument = argument.without_brackets();
+    if let ExprKind::Apply {
+        function,
+        arguments,
+    } = &argument.kind
+        && let [matrix] = arguments.as_slice()
+    {
+        return is_lambda(&function.letter.base).then_some(matrix);
     }
-}
-
-fn ungrouped(expr: &Expr) -> &Expr {
-    match &expr.kind {
-        ExprKind::Group { inner, .. } => ungrouped(inner),
-        _ => expr,
+    if let ExprKind::Product(factors) = &argument.kind
+        && let [lambda, matrix] = factors.as_slice()
+    {
+        let lambda = lambda.as_name()?;
+        return is_lambda(&lambda.letter.base).then(|| matrix.without_brackets());
     }
+    None
 }

@@ -73,7 +73,15 @@ impl Value {
     pub fn transposed(&self) -> Value {
         match self {
             Value::Matrix(m) => Value::Matrix(m.transpose()),
-            other => other.clone(),
+            Value::Scalar(_) | Value::Zero => self.clone(),
+        }
+    }
+
+    /// The matrix that it is.
+    pub fn as_matrix(&self) -> Option<&Matrix<Jet>> {
+        match self {
+            Value::Matrix(m) => Some(m),
+            Value::Scalar(_) | Value::Zero => None,
         }
     }
 
@@ -91,7 +99,10 @@ impl Value {
         match self {
             Value::Scalar(x) => Ok(Matrix::from_fn(1, 1, |_, _| x.clone())),
             Value::Matrix(m) if m.is_square() => Ok(m.clone()),
-            other => Err(misfit(operation, other, other)),
+            Value::Matrix(_) => Err(misfit(operation, self, self)),
+            Value::Zero => Err(Reason::Unsupported(
+                "a determinant of a zero without a shape",
+            )),
         }
     }
 }
@@ -121,7 +132,8 @@ impl Arithmetic {
             {
                 Ok(Value::Matrix(m.clone()))
             }
-            _ => Err(misfit("+", x, y)),
+            (Value::Matrix(_), Value::Matrix(_) | Value::Scalar(_))
+            | (Value::Scalar(_), Value::Matrix(_)) => Err(misfit("+", x, y)),
         }
     }
 
@@ -136,7 +148,7 @@ impl Arithmetic {
             (Value::Matrix(a), Value::Matrix(b)) if a.columns() == b.rows() => {
                 Ok(Value::from_matrix(self.matrix_product(a, b)?))
             }
-            _ => Err(misfit("times", x, y)),
+            (Value::Matrix(_), Value::Matrix(_)) => Err(misfit("times", x, y)),
         }
     }
 

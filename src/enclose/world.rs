@@ -232,7 +232,24 @@ impl<'m> World<'m> {
                     self.model.collect(&covariance.product, &mut direct);
                 }
             }
-            _ => {}
+            // They name nothing, and their parts are seen on their own.
+            ExprKind::Number(_)
+            | ExprKind::Named { .. }
+            | ExprKind::Call { .. }
+            | ExprKind::Sum(_)
+            | ExprKind::Product(_)
+            | ExprKind::Quotient { .. }
+            | ExprKind::Transpose(_)
+            | ExprKind::Group { .. }
+            | ExprKind::Matrix { .. }
+            | ExprKind::Tuple(_)
+            | ExprKind::BigSum { .. }
+            | ExprKind::Integral { .. }
+            | ExprKind::Derivative { .. }
+            | ExprKind::Underbrace { .. }
+            | ExprKind::Cases(_)
+            | ExprKind::Infinity
+            | ExprKind::Constant => {}
         }
         nodes.extend(direct.into_iter().map(normal));
     }
@@ -254,7 +271,10 @@ impl<'m> World<'m> {
                 match self.model.resolve(&dotted, &|_| false) {
                     Ok(Resolved::Node { node, .. }) => match node {
                         Node::Matrix(_) => None,
-                        node => Some(normal(node)),
+                        Node::Symbol(_)
+                        | Node::Definition(_)
+                        | Node::Unknown { .. }
+                        | Node::Notation(_) => Some(normal(node)),
                     },
                     _ => None,
                 }
@@ -278,28 +298,18 @@ impl<'m> World<'m> {
 
     /// Whether a chain says between which numbers or letters something lies.
     pub(super) fn is_range(&self, chain: &Chain) -> bool {
-        let plain = |e: &Expr| match &e.kind {
-            ExprKind::Name(name) => matches!(
+        let letter = |name: &Name| {
+            matches!(
                 self.model.resolve(name, &|_| false),
                 Ok(Resolved::Letter { order: 0, .. })
-            ),
-            ExprKind::Infinity => true,
-            ExprKind::Sum(terms) => match terms.as_slice() {
-                [(_, term)] if term.kind == ExprKind::Infinity => true,
-                _ => crate::model::names::literal_number(e).is_some(),
-            },
-            _ => crate::model::names::literal_number(e).is_some(),
+            )
         };
-        let order = |r: &Relation| match r {
-            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual => {
-                true
-            }
-            Relation::Equal
-            | Relation::NotEqual
-            | Relation::Distributed
-            | Relation::Approximately
-            | Relation::Tends => false,
+        let plain = |e: &Expr| {
+            e.as_name().is_some_and(letter)
+                || e.as_infinity().is_some()
+                || crate::model::names::literal_number(e).is_some()
         };
+        let order = |r: &Relation| r.is_order();
         !chain.relations.is_empty()
             && chain.members.iter().all(plain)
             && chain.relations.iter().all(order)
@@ -315,10 +325,7 @@ impl<'m> World<'m> {
         };
         let names: Option<Vec<Name>> = arguments
             .iter()
-            .map(|argument| match &argument.kind {
-                ExprKind::Name(name) => Some(name.clone()),
-                _ => None,
-            })
+            .map(|argument| argument.as_name().cloned())
             .collect();
         names
             .filter(|names| names.len() == definition.arguments.len())
@@ -353,21 +360,19 @@ pub(super) fn normal(node: Node) -> Node {
             system,
             position: 0,
         },
-        node => node,
+        Node::Symbol(_) | Node::Matrix(_) | Node::Definition(_) | Node::Notation(_) => node,
     }
 }
 
 /// The same power of the same name, without what else stands in it.
 fn shallow_power(expr: &Expr) -> Expr {
-    match &expr.kind {
-        ExprKind::Power { base, exponent }
-            if matches!(base.kind, ExprKind::Name(_))
-                && matches!(exponent.kind, ExprKind::Number(_)) =>
-        {
-            expr.clone()
-        }
-        _ => Expr::new(ExprKind::Infinity, expr.span),
+    if let ExprKind::Power { base, exponent } = &expr.kind
+        && base.as_name().is_some()
+        && exponent.as_number().is_some()
+    {
+        return expr.clone();
     }
+    Expr::new(ExprKind::Infinity, expr.span)
 }
 
 /// Every expression of a tree, conditions of cases among them.

@@ -10,7 +10,7 @@
 
 use super::{Evaluator, Failure, FailureKind, Value};
 use crate::domain::Domain;
-use crate::expr::{Chain, Expr, ExprKind, Name, Relation, Sign};
+use crate::expr::{Chain, Expr, Name, Relation, Sign};
 use crate::functions::integral::End;
 use crate::functions::{Sign as KnownSign, Supposed};
 use crate::latex;
@@ -279,7 +279,7 @@ impl<D: Domain> Evaluator<'_, D> {
                     | Relation::Approximately
                     | Relation::Tends => continue,
                 };
-                if infinite(lower).is_some() || infinite(upper).is_some() {
+                if lower.as_infinity().is_some() || upper.as_infinity().is_some() {
                     continue;
                 }
                 let (Ok(Value::Scalar(lower)), Ok(Value::Scalar(upper))) =
@@ -301,21 +301,12 @@ impl<D: Domain> Evaluator<'_, D> {
     /// The chains beside a definition that say between what its letters lie.
     pub(super) fn range_of(&self, definition: &Definition, parameters: &[Name]) -> Vec<Chain> {
         let display = self.display(definition.equation);
-        let order = |relation: &Relation| match relation {
-            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual => {
-                true
-            }
-            Relation::Equal
-            | Relation::NotEqual
-            | Relation::Distributed
-            | Relation::Approximately
-            | Relation::Tends => false,
-        };
-        let is_letter = |e: &Expr| match &e.kind {
-            ExprKind::Name(name) => parameters
-                .iter()
-                .any(|p| latex::canonical(p) == latex::canonical(name)),
-            _ => false,
+        let order = |relation: &Relation| relation.is_order();
+        let is_letter = |e: &Expr| {
+            e.as_name().is_some_and(|name| {
+                let name = latex::canonical(name);
+                parameters.iter().any(|p| latex::canonical(p) == name)
+            })
         };
         display
             .clauses
@@ -368,23 +359,27 @@ impl<D: Domain> Evaluator<'_, D> {
         let (left, relation, right) = match relation {
             Relation::Greater => (right, Relation::Less, left),
             Relation::GreaterEqual => (right, Relation::LessEqual, left),
-            other => (left, other, right),
+            Relation::Less
+            | Relation::LessEqual
+            | Relation::Equal
+            | Relation::NotEqual
+            | Relation::Distributed
+            | Relation::Approximately
+            | Relation::Tends => (left, relation, right),
         };
-        match (infinite(left), infinite(right)) {
+        match (left.as_infinity(), right.as_infinity()) {
             (None, None) => {}
             (Some(Sign::Minus), None) | (_, Some(Sign::Plus)) => return Ok(Standing::True),
             (Some(Sign::Plus), _) | (_, Some(Sign::Minus)) => return Ok(Standing::False),
         }
         let span = left.span.to(right.span);
         let unsupported = |what: &str| Err(Failure::unsupported(what, span));
-        let scalar = |value: Value<D::Element>, zero: D::Element| match value {
-            Value::Scalar(value) => Some(value),
-            Value::Zero => Some(zero),
-            Value::Matrix(_) => None,
-        };
+        let zero = || self.field.integer(0);
+        let zeros = [zero(), zero()];
+        let [lower_zero, upper_zero] = zeros;
         let (Some(lower), Some(upper)) = (
-            scalar(self.expression(left)?, self.field.integer(0)),
-            scalar(self.expression(right)?, self.field.integer(0)),
+            self.expression(left)?.into_scalar(lower_zero),
+            self.expression(right)?.into_scalar(upper_zero),
         ) else {
             return unsupported("a condition on matrices");
         };
@@ -419,7 +414,13 @@ impl<D: Domain> Evaluator<'_, D> {
         if functions.depends_on_bound(&difference) {
             return match relation {
                 Relation::Less | Relation::LessEqual => self.standing_between(&difference, span),
-                _ => unsupported("a definition by cases under an integral"),
+                Relation::Equal
+                | Relation::NotEqual
+                | Relation::Greater
+                | Relation::GreaterEqual
+                | Relation::Distributed
+                | Relation::Approximately
+                | Relation::Tends => unsupported("a definition by cases under an integral"),
             };
         }
         match relation {
@@ -506,17 +507,5 @@ impl<D: Domain> Evaluator<'_, D> {
             [Some(true) | None, Some(true) | None] => Ok(Standing::Between(open)),
             _ => Err(refused()),
         }
-    }
-}
-
-/// Which infinity an expression is.
-fn infinite(expr: &Expr) -> Option<Sign> {
-    match &expr.kind {
-        ExprKind::Infinity => Some(Sign::Plus),
-        ExprKind::Sum(terms) => match terms.as_slice() {
-            [(sign, term)] if term.kind == ExprKind::Infinity => Some(*sign),
-            _ => None,
-        },
-        _ => None,
     }
 }

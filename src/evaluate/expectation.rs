@@ -96,7 +96,7 @@ impl<D: Domain> Evaluator<'_, D> {
             Value::Scalar(s) if (i, j) == (0, 0) => Ok(s.clone()),
             Value::Matrix(m) if i < m.rows() && j < m.columns() => Ok(m[(i, j)].clone()),
             Value::Zero => Ok(self.field.integer(0)),
-            _ => Err(Failure::unsupported(
+            Value::Scalar(_) | Value::Matrix(_) => Err(Failure::unsupported(
                 "a covariance of another shape than its vectors have",
                 span,
             )),

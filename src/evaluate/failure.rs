@@ -112,19 +112,20 @@ impl Failure {
 
     /// The shapes that do not fit, if that is why.
     pub fn misfit(&self) -> Option<Misfit> {
-        match &self.kind {
-            FailureKind::Shape {
-                operation,
-                left,
-                right,
-            } => Some(Misfit {
+        if let FailureKind::Shape {
+            operation,
+            left,
+            right,
+        } = &self.kind
+        {
+            return Some(Misfit {
                 operation: operation.clone(),
                 left: left.clone(),
                 right: right.clone(),
                 span: self.span,
-            }),
-            _ => None,
+            });
         }
+        None
     }
 
     /// The diagnostic for a failure that makes a document unusable; `None` for one that only

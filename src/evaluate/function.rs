@@ -14,6 +14,7 @@ use crate::latex;
 use crate::model::links::Place;
 use crate::model::names::Resolved;
 use crate::model::range::Numbers;
+use crate::model::time::Constancy;
 use crate::model::{Definition, Letter, Node, NotationKind};
 use crate::span::Span;
 use std::cmp::Ordering;
@@ -184,10 +185,7 @@ impl<D: Domain> Evaluator<'_, D> {
         };
         let names: Vec<Name> = arguments
             .iter()
-            .filter_map(|argument| match &argument.kind {
-                ExprKind::Name(name) => Some(name.clone()),
-                _ => None,
-            })
+            .filter_map(|argument| argument.as_name().cloned())
             .collect();
         if names.len() == definition.arguments.len() {
             names
@@ -207,15 +205,11 @@ impl<D: Domain> Evaluator<'_, D> {
     ) -> Result<Value<D::Element>> {
         let mut images = Vec::new();
         for (position, argument) in arguments.iter().enumerate() {
-            let (name, value) = match &argument.kind {
-                ExprKind::Named { name, value } => (name, &**value),
-                _ => match parameters.get(position) {
-                    Some(name) => (name, argument),
-                    None => {
-                        return Err(Failure::unsupported("more arguments than declared", span));
-                    }
-                },
-            };
+            let by_position = || parameters.get(position).map(|name| (name, argument));
+            let (name, value) = argument
+                .as_named_argument()
+                .or_else(by_position)
+                .ok_or_else(|| Failure::unsupported("more arguments than declared", span))?;
             let Ok(Resolved::Letter { symbol, order: 0 }) = self.model.resolve(name, &|_| false)
             else {
                 let name = latex::canonical(name);
@@ -319,24 +313,14 @@ impl<D: Domain> Evaluator<'_, D> {
     }
 
     fn end(&mut self, expr: &Expr) -> Result<End<D::Element>> {
-        match &expr.kind {
-            ExprKind::Infinity => Ok(End::Above),
-            ExprKind::Sum(terms) => match terms.as_slice() {
-                [(sign, infinity)] if infinity.kind == ExprKind::Infinity => Ok(match sign {
-                    Sign::Plus => End::Above,
-                    Sign::Minus => End::Below,
-                }),
-                _ => self.finite_end(expr),
-            },
-            _ => self.finite_end(expr),
-        }
-    }
-
-    fn finite_end(&mut self, expr: &Expr) -> Result<End<D::Element>> {
-        match self.expression(expr)? {
-            Value::Scalar(value) => Ok(End::At(value)),
-            Value::Zero => Ok(End::At(self.field.integer(0))),
-            Value::Matrix(_) => Err(Failure::unsupported("a matrix as a limit", expr.span)),
+        match expr.as_infinity() {
+            Some(Sign::Plus) => Ok(End::Above),
+            Some(Sign::Minus) => Ok(End::Below),
+            None => self
+                .expression(expr)?
+                .into_scalar(self.field.integer(0))
+                .map(End::At)
+                .ok_or_else(|| Failure::unsupported("a matrix as a limit", expr.span)),
         }
     }
 
@@ -351,27 +335,23 @@ impl<D: Domain> Evaluator<'_, D> {
         left: &Expr,
         right: &Expr,
     ) -> Result<super::Sides<D::Element>> {
-        let other = match (&left.kind, &right.kind) {
-            (ExprKind::Constant, _) => right,
-            (_, ExprKind::Constant) => left,
-            _ => return self.sides(left, right),
+        let other = if left.kind == ExprKind::Constant {
+            right
+        } else if right.kind == ExprKind::Constant {
+            left
+        } else {
+            return self.sides(left, right);
         };
-        let argument = match head.map(|h| &h.kind) {
-            Some(ExprKind::Apply { arguments, .. }) => match arguments.as_slice() {
-                [argument] => match &argument.kind {
-                    ExprKind::Name(name) if !self.is_time(Some(name)) => Some(name),
-                    _ => None,
-                },
-                _ => None,
-            },
-            _ => None,
-        };
-        match argument {
-            Some(name) => {
+        match self.model.constancy(head) {
+            Constancy::Letter(name) => {
                 let rate = self.derivative(1, name, other, other.span)?;
                 Ok((rate, Value::Zero))
             }
-            None => self.sides(left, right),
+            Constancy::Time => self.sides(left, right),
+            Constancy::Unclear => {
+                let what = "a constant where nothing says in which letter";
+                Err(Failure::unsupported(what, other.span))
+            }
         }
     }
 

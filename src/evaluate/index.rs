@@ -1,19 +1,18 @@
-//! Indices and exponents: integer arithmetic on literals and bound letters.
+//! Indices and exponents: the integers that they spell, with the values of bound letters.
 
 use super::{Evaluator, Failure, FailureKind, LARGEST_EXPONENT};
 use crate::domain::Domain;
-use crate::expr::{Expr, ExprKind, Sign};
-use num_traits::ToPrimitive;
+use crate::expr::{Expr, Name, integer};
 
 impl<D: Domain> Evaluator<'_, D> {
     /// The integer that the bound of a sum evaluates to; another bound makes nothing wrong.
-    pub(super) fn bound_of_sum(&mut self, expr: &Expr) -> Result<i64, Failure> {
-        self.integer(expr).map_err(|failure| match failure.kind {
-            FailureKind::Exponent { exponent, .. } => {
+    pub(super) fn bound_of_sum(&self, expr: &Expr) -> Result<i64, Failure> {
+        self.integer(expr).map_err(|failure| {
+            if let FailureKind::Exponent { exponent, .. } = &failure.kind {
                 let what = format!("a sum that runs to or from {exponent}");
-                Failure::unsupported(&what, failure.span)
+                return Failure::unsupported(&what, failure.span);
             }
-            _ => failure,
+            failure
         })
     }
 
@@ -21,51 +20,16 @@ impl<D: Domain> Evaluator<'_, D> {
     ///
     /// # Errors
     /// When it is no integer.
-    pub fn integer(&mut self, expr: &Expr) -> Result<i64, Failure> {
-        let fail = || {
+    pub fn integer(&self, expr: &Expr) -> Result<i64, Failure> {
+        let letter = |name: &Name| self.bound_value(&crate::latex::canonical(name));
+        integer::integer(expr, &letter).map_err(|part| {
             Failure::new(
                 FailureKind::Exponent {
-                    exponent: crate::latex::write_expr(expr),
+                    exponent: crate::latex::write_expr(part),
                     limit: LARGEST_EXPONENT,
                 },
-                expr.span,
+                part.span,
             )
-        };
-        match &expr.kind {
-            ExprKind::Number(n) if n.is_integer() => n.to_integer().to_i64().ok_or_else(fail),
-            ExprKind::Name(name) => self
-                .bound_value(&crate::latex::canonical(name))
-                .ok_or_else(fail),
-            ExprKind::Group { inner, .. } => self.integer(inner),
-            ExprKind::Sum(terms) => {
-                let mut sum = 0i64;
-                for (sign, term) in terms {
-                    let value = self.integer(term)?;
-                    sum = match sign {
-                        Sign::Plus => sum.checked_add(value),
-                        Sign::Minus => sum.checked_sub(value),
-                    }
-                    .ok_or_else(fail)?;
-                }
-                Ok(sum)
-            }
-            ExprKind::Product(factors) => {
-                let mut product = 1i64;
-                for factor in factors {
-                    product = product
-                        .checked_mul(self.integer(factor)?)
-                        .ok_or_else(fail)?;
-                }
-                Ok(product)
-            }
-            ExprKind::Power { base, exponent } => {
-                let base = self.integer(base)?;
-                u32::try_from(self.integer(exponent)?)
-                    .ok()
-                    .and_then(|e| base.checked_pow(e))
-                    .ok_or_else(fail)
-            }
-            _ => Err(fail()),
-        }
+        })
     }
 }

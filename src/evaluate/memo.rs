@@ -106,6 +106,6 @@ fn common(node: Node) -> Node {
             system,
             position: 0,
         },
-        node => node,
+        Node::Symbol(_) | Node::Matrix(_) | Node::Definition(_) | Node::Notation(_) => node,
     }
 }

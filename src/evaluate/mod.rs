@@ -5,6 +5,8 @@
 //! Abbreviations (scalars defined by arithmetic on declared symbols) stay letters; inserting their
 //! definitions is the checker's business.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod cases;
 mod expectation;
 mod failure;
@@ -293,9 +295,10 @@ impl<'m, D: Domain> Evaluator<'m, D> {
                     }
                     Ok(sum)
                 })?;
-                Ok(match sum {
-                    Value::Zero if from > to => Value::Scalar(self.field.integer(0)),
-                    sum => sum,
+                Ok(if from > to {
+                    Value::Scalar(self.field.integer(0))
+                } else {
+                    sum
                 })
             }
             ExprKind::Derivative {
@@ -350,34 +353,34 @@ impl<'m, D: Domain> Evaluator<'m, D> {
         order: u8,
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
-        match &expr.kind {
-            ExprKind::Name(name) if !self.is_bound(name) => {
-                let mut dotted = name.clone();
-                dotted.dots = dotted.dots.saturating_add(order);
-                self.name(&dotted, span)
-            }
-            ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } => {
-                self.rate_of(inner, order, span)
-            }
-            ExprKind::Sum(terms) => {
-                let mut sum: Option<Value<D::Element>> = None;
-                for (sign, term) in terms {
-                    let mut rate = self.rate_of(term, order, span)?;
-                    if *sign == Sign::Minus {
-                        rate = value::negate(&self.field, &rate);
-                    }
-                    sum = Some(match sum {
-                        None => rate,
-                        Some(s) => value::add(&self.field, &s, &rate, term.span)?,
-                    });
-                }
-                sum.ok_or_else(|| Failure::unsupported("an empty sum", span))
-            }
-            _ => {
-                let value = self.expression(expr)?;
-                self.differentiate(value, order, span)
-            }
+        if let Some(name) = expr.as_name()
+            && !self.is_bound(name)
+        {
+            let mut dotted = name.clone();
+            dotted.dots = dotted.dots.saturating_add(order);
+            return self.name(&dotted, span);
         }
+        if let ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } = &expr.kind
+        {
+            return self.rate_of(inner, order, span);
+        }
+        if let ExprKind::Sum(terms) = &expr.kind {
+            let mut sum: Option<Value<D::Element>> = None;
+            for (sign, term) in terms {
+                let mut rate = self.rate_of(term, order, span)?;
+                if *sign == Sign::Minus {
+                    rate = value::negate(&self.field, &rate);
+                }
+                sum = Some(match sum {
+                    None => rate,
+                    Some(s) => value::add(&self.field, &s, &rate, term.span)?,
+                });
+            }
+            return sum.ok_or_else(|| Failure::unsupported("an empty sum", span));
+        }
+        // Whatever else is printed is differentiated by its value.
+        let value = self.expression(expr)?;
+        self.differentiate(value, order, span)
     }
 
     /// The time derivative of what is said to be constant.

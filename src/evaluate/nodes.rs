@@ -74,11 +74,15 @@ impl<D: Domain> Evaluator<'_, D> {
                 MatrixEntry::Symbol(symbol) => (symbol, false),
                 MatrixEntry::MinusSymbol(symbol) => (symbol, true),
             };
-            match self.symbol(symbol, order, span)? {
-                Value::Scalar(s) if negative => Ok(self.field.negate(&s)),
-                Value::Scalar(s) => Ok(s),
-                _ => Ok(self.field.integer(0)),
-            }
+            let entry = self.symbol(symbol, order, span)?;
+            let entry = entry.into_scalar(self.field.integer(0));
+            let entry =
+                entry.ok_or_else(|| Failure::unsupported("an entry that is a matrix", span))?;
+            Ok(if negative {
+                self.field.negate(&entry)
+            } else {
+                entry
+            })
         })?;
         Ok(Value::from_matrix(letters))
     }
@@ -302,7 +306,10 @@ impl<D: Domain> Evaluator<'_, D> {
         span: Span,
     ) -> Result<Value<D::Element>, Failure> {
         let at = |k: i64| usize::try_from(k - 1).ok();
-        let (rows, columns) = value.shape().unwrap_or((0, 0));
+        // Which entries the zero of any shape has is not known.
+        let (rows, columns) = value
+            .shape()
+            .ok_or_else(|| Failure::unsupported("an entry of a zero without a shape", span))?;
         let place = match indices {
             [i, j] => at(*i).zip(at(*j)),
             [i] if columns == 1 => at(*i).map(|i| (i, 0)),
@@ -314,7 +321,9 @@ impl<D: Domain> Evaluator<'_, D> {
                 Ok(Value::Scalar(m[(i, j)].clone()))
             }
             (Value::Scalar(s), Some((0, 0))) => Ok(Value::Scalar(s.clone())),
-            _ => self.outside(key, indices, span),
+            (Value::Matrix(_) | Value::Scalar(_) | Value::Zero, _) => {
+                self.outside(key, indices, span)
+            }
         }
     }
 
@@ -327,13 +336,17 @@ impl<D: Domain> Evaluator<'_, D> {
         let model = self.model;
         let notation = &model.notation[index];
         let key = crate::model::names::family_key(&notation.name);
-        let square = |value: Value<D::Element>| match value {
-            Value::Matrix(m) if m.is_square() => Ok(m),
+        let square = |value: Value<D::Element>| match &value {
+            Value::Matrix(m) if m.is_square() => Ok(m.clone()),
             Value::Scalar(s) => Ok(Matrix::from_fn(1, 1, |_, _| s.clone())),
-            other => Err(Failure::new(
+            Value::Zero => Err(Failure::unsupported(
+                "a determinant of a zero without a shape",
+                span,
+            )),
+            Value::Matrix(_) => Err(Failure::new(
                 FailureKind::Shape {
                     operation: "determinant".into(),
-                    left: other.shape_text(),
+                    left: value.shape_text(),
                     right: "square".into(),
                 },
                 span,
@@ -352,9 +365,10 @@ impl<D: Domain> Evaluator<'_, D> {
                 Some(Value::from_matrix(arithmetic::identity(&self.field, order)))
             }
             NotationKind::Rows(_) => {
-                let rows = target
-                    .shape()
-                    .and_then(|(rows, _)| i64::try_from(rows).ok());
+                let (rows, _) = target.shape().ok_or_else(|| {
+                    Failure::unsupported("the rows of a zero without a shape", span)
+                })?;
+                let rows = i64::try_from(rows).ok();
                 rows.map(|rows| Value::Scalar(self.field.integer(rows)))
             }
             NotationKind::Zero => Some(Value::Zero),
@@ -472,11 +486,11 @@ impl<D: Domain> Evaluator<'_, D> {
                             Value::Scalar(s) if expected == (1, 1) => s.clone(),
                             Value::Matrix(m) if m.shape() == expected => m[(r, c)].clone(),
                             Value::Scalar(s) if self.field.is_zero(s) => s.clone(),
-                            other => {
+                            Value::Scalar(_) | Value::Matrix(_) => {
                                 return Err(misfit(
                                     *at,
                                     format!("{}x{}", expected.0, expected.1),
-                                    other.shape_text(),
+                                    value.shape_text(),
                                 ));
                             }
                         });

@@ -8,6 +8,7 @@ use crate::domain::Domain;
 use crate::expr::{Expr, ExprKind, Function, Sign};
 use crate::span::Span;
 use crate::theory::{arithmetic, determinant};
+use num_rational::BigRational;
 use std::collections::BTreeSet;
 
 impl<D: Domain> Evaluator<'_, D> {
@@ -134,18 +135,28 @@ impl<D: Domain> Evaluator<'_, D> {
         if let (ExprKind::Name(name), true) = (&base.kind, n > 0)
             && let Some((node, rest)) = self.model.power_node(name, magnitude)
         {
-            return match self.node((node, Vec::new(), 0), span)? {
-                Value::Scalar(s) => self
-                    .field
-                    .power(&s, rest)
-                    .map(Value::Scalar)
-                    .ok_or_else(too_large),
-                other => Ok(other),
-            };
+            let defined = self.node((node, Vec::new(), 0), span)?;
+            return self.integer_power(defined, false, rest, span);
         }
-        match self.expression(base)? {
+        let base = self.expression(base)?;
+        self.integer_power(base, n < 0, magnitude, span)
+    }
+
+    /// A value to a power by squaring, or its inverse.
+    fn integer_power(
+        &mut self,
+        base: Value<D::Element>,
+        inverted: bool,
+        magnitude: u32,
+        span: Span,
+    ) -> Result<Value<D::Element>, Failure> {
+        match base {
             Value::Scalar(s) => {
-                let s = if n < 0 { self.reciprocal(&s, span)? } else { s };
+                let s = if inverted {
+                    self.reciprocal(&s, span)?
+                } else {
+                    s
+                };
                 self.field
                     .power(&s, magnitude)
                     .map(Value::Scalar)
@@ -170,7 +181,7 @@ impl<D: Domain> Evaluator<'_, D> {
                         span,
                     ));
                 }
-                let factor = if n < 0 {
+                let factor = if inverted {
                     if let Some(det) = determinant::determinant(&self.field, &m) {
                         self.reciprocal(&det, span)?;
                     }
@@ -191,6 +202,11 @@ impl<D: Domain> Evaluator<'_, D> {
                     }
                 }
                 Ok(product)
+            }
+            Value::Zero if inverted => Err(Failure::new(FailureKind::DivisionByZero, span)),
+            // The unit matrix, but nothing says of which order.
+            Value::Zero if magnitude == 0 => {
+                Err(Failure::unsupported("the power 0 of a bare zero", span))
             }
             Value::Zero => Ok(Value::Zero),
         }
@@ -215,7 +231,19 @@ impl<D: Domain> Evaluator<'_, D> {
             Function::Absolute if matrix.is_square() && matches!(value, Value::Matrix(_)) => {
                 determinant::determinant(&self.field, &matrix)
             }
-            _ => return self.function_of(function, &value, span),
+            Function::Absolute
+            | Function::RealPart
+            | Function::ImaginaryPart
+            | Function::Cosine
+            | Function::Sine
+            | Function::Tangent
+            | Function::Cotangent
+            | Function::HyperbolicCosine
+            | Function::HyperbolicSine
+            | Function::HyperbolicTangent
+            | Function::Exponential
+            | Function::Logarithm
+            | Function::SquareRoot => return self.function_of(function, &value, span),
         };
         result.map(Value::Scalar).ok_or_else(|| {
             Failure::new(
@@ -230,16 +258,19 @@ impl<D: Domain> Evaluator<'_, D> {
     }
 }
 
+/// Whether integers under it give an integer, where it is an operation.
+fn is_operation(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        ExprKind::Group { .. } | ExprKind::Sum(_) | ExprKind::Product(_) | ExprKind::Power { .. }
+    )
+}
+
 /// Whether an exponent is an integer, and too large for one.
 fn exceeds_all_integers(exponent: &Expr) -> bool {
     let mut whole = true;
     crate::expr::walk::visit(exponent, &mut |e| {
-        whole &= match &e.kind {
-            ExprKind::Number(n) => n.is_integer(),
-            ExprKind::Group { .. } | ExprKind::Sum(_) => true,
-            ExprKind::Product(_) | ExprKind::Power { .. } => true,
-            _ => false,
-        };
+        whole &= is_operation(e) || e.as_number().is_some_and(BigRational::is_integer);
     });
     whole
 }

@@ -85,7 +85,9 @@ impl<D: Domain> Evaluator<'_, D> {
                             Ok(m[(i, j)].clone())
                         }
                         Value::Scalar(s) if (i, j) == (0, 0) => Ok(s),
-                        _ => Err(Failure::unsupported("a derivative of another shape", span)),
+                        Value::Matrix(_) | Value::Scalar(_) | Value::Zero => {
+                            Err(Failure::unsupported("a derivative of another shape", span))
+                        }
                     };
                 }
                 let mut name = model.letter_name(letter);
@@ -162,7 +164,11 @@ impl<D: Domain> Evaluator<'_, D> {
             {
                 e.compute(&before, span)
             }
-            _ => e.node(before, span),
+            Node::Definition(_)
+            | Node::Symbol(_)
+            | Node::Matrix(_)
+            | Node::Unknown { .. }
+            | Node::Notation(_) => e.node(before, span),
         })?;
         if clocks.is_empty() && !self.field.has_letters() {
             return Ok(value.map(|_| self.field.integer(0)));

@@ -29,6 +29,15 @@ impl<E: Clone + PartialEq> Value<E> {
         }
     }
 
+    /// The scalar that it is, where the zero of any shape is the scalar `zero`; none for a matrix.
+    pub fn into_scalar(self, zero: E) -> Option<E> {
+        match self {
+            Value::Scalar(e) => Some(e),
+            Value::Zero => Some(zero),
+            Value::Matrix(_) => None,
+        }
+    }
+
     /// `(rows, columns)`; `None` for the zero of any shape.
     pub fn shape(&self) -> Option<(usize, usize)> {
         match self {
@@ -119,7 +128,9 @@ pub fn add<D: Domain>(
         {
             Ok(Value::Matrix(m.clone()))
         }
-        _ => Err(misfit("+", left, right, span)),
+        (Value::Matrix(_), Value::Scalar(_)) | (Value::Scalar(_), Value::Matrix(_)) => {
+            Err(misfit("+", left, right, span))
+        }
     }
 }
 
@@ -143,7 +154,10 @@ pub fn subtract<D: Domain>(
         (Value::Matrix(a), Value::Matrix(b)) => arithmetic::subtract(field, a, b)
             .map(Value::Matrix)
             .ok_or_else(|| misfit("-", left, right, span)),
-        _ => add(field, left, &negate(field, right), span)
+        (Value::Zero, _)
+        | (_, Value::Zero)
+        | (Value::Matrix(_), Value::Scalar(_))
+        | (Value::Scalar(_), Value::Matrix(_)) => add(field, left, &negate(field, right), span)
             .map_err(|_| misfit("-", left, right, span)),
     }
 }
@@ -193,7 +207,9 @@ pub fn invert<D: Domain>(
                 let what = "terms of an inverse matrix".into();
                 return Err(Failure::new(FailureKind::Budget { what }, span));
             }
-            _ => return Err(Failure::new(FailureKind::DivisionByZero, span)),
+            linear::Solution::Inconsistent | linear::Solution::Underdetermined => {
+                return Err(Failure::new(FailureKind::DivisionByZero, span));
+            }
         }
     }
     Ok(Matrix::from_fn(n, n, |i, j| columns[j][i].clone()))

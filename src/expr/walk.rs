@@ -5,7 +5,7 @@
 //! until it is in it. The labels of underbraces, the conditions of cases and the indices of names are not among the
 //! subexpressions: they are no parts of the value.
 
-use crate::expr::{Expr, ExprKind};
+use crate::expr::{Expr, ExprKind, Name};
 
 /// The direct subexpressions of an expression in reading order, borrowed as the expression is.
 macro_rules! direct_subexpressions {
@@ -48,6 +48,45 @@ macro_rules! direct_subexpressions {
     };
 }
 
+/// The names that a node itself carries, apart from those in its subexpressions, borrowed as it is.
+macro_rules! own_names {
+    ($expr:expr, $as_option:ident $(, $mutable:tt)?) => {
+        match &$($mutable)? $expr.kind {
+            ExprKind::Name(name)
+            | ExprKind::Apply { function: name, .. }
+            | ExprKind::Named { name, .. }
+            | ExprKind::BigSum { index: name, .. }
+            | ExprKind::Integral { variable: name, .. } => Some(name),
+            ExprKind::Derivative { variable, .. } => variable.$as_option(),
+            ExprKind::Number(_)
+            | ExprKind::Call { .. }
+            | ExprKind::Sum(_)
+            | ExprKind::Product(_)
+            | ExprKind::Tuple(_)
+            | ExprKind::Quotient { .. }
+            | ExprKind::Power { .. }
+            | ExprKind::Transpose(_)
+            | ExprKind::Group { .. }
+            | ExprKind::Matrix { .. }
+            | ExprKind::Expectation(_)
+            | ExprKind::Underbrace { .. }
+            | ExprKind::Cases(_)
+            | ExprKind::Infinity
+            | ExprKind::Constant => None,
+        }
+    };
+}
+
+/// The name that a node itself carries: what it is, applies, sums, integrates or differentiates by.
+pub fn own_name(expr: &Expr) -> Option<&Name> {
+    own_names!(expr, as_ref)
+}
+
+/// The same name, to be changed.
+pub fn own_name_mut(expr: &mut Expr) -> Option<&mut Name> {
+    own_names!(expr, as_mut, mut)
+}
+
 /// The direct subexpressions, in reading order.
 pub fn children(expr: &Expr) -> Vec<&Expr> {
     direct_subexpressions!(expr, iter)
@@ -56,6 +95,17 @@ pub fn children(expr: &Expr) -> Vec<&Expr> {
 /// The direct subexpressions, to be changed; the same ones as [`children`] in the same order.
 pub fn children_mut(expr: &mut Expr) -> Vec<&mut Expr> {
     direct_subexpressions!(expr, iter_mut, mut)
+}
+
+/// Whether a name stands in an expression, or applies a function there; with the same dots and index.
+pub fn mentions(expr: &Expr, name: &Name) -> bool {
+    let mut found = false;
+    visit(expr, &mut |e| {
+        if let ExprKind::Name(own) | ExprKind::Apply { function: own, .. } = &e.kind {
+            found |= own == name;
+        }
+    });
+    found
 }
 
 /// Calls `see` on every expression of a tree, parents first, in reading order.

@@ -81,10 +81,7 @@ impl FunctionTable {
         if let Some(pair) = self.sign_of_half_turns(&term)? {
             return Ok(pair);
         }
-        let (n, unit) = self.multiple(&term, |f| match f {
-            FunctionLetter::Cosine(u) => Some(u.clone()),
-            _ => None,
-        })?;
+        let (n, unit) = self.multiple(&term, |f| f.as_cosine().cloned())?;
         // The letter's angle has a positive leading coefficient.
         let (n, unit) = with_positive_lead(n, unit);
         let cosine = self.letter(FunctionLetter::Cosine(unit))?;

@@ -21,7 +21,10 @@ impl FunctionTable {
             ) => vec![u],
             Some(FunctionLetter::Root(p) | FunctionLetter::Logarithm(p)) => vec![p.into()],
             Some(FunctionLetter::Power(base, exponent)) => vec![base.into(), exponent],
-            _ => Vec::new(),
+            Some(
+                FunctionLetter::Pi | FunctionLetter::ImaginaryUnit | FunctionLetter::Bound { .. },
+            )
+            | None => Vec::new(),
         }
     }
 
@@ -236,7 +239,11 @@ impl FunctionTable {
                     .then(|| exponent.to_integer().to_i32())??;
                 (n.abs() <= 64 && !base.is_zero()).then(|| base.pow(n))
             }
-            _ => None,
+            // No rational number, or none that is known.
+            FunctionLetter::Pi
+            | FunctionLetter::ImaginaryUnit
+            | FunctionLetter::Dirac(_)
+            | FunctionLetter::Bound { .. } => None,
         }
     }
 }

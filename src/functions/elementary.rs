@@ -66,24 +66,25 @@ impl FunctionTable {
             Function::Exponential => self.exponential(argument),
             Function::Cosine => Ok(self.cosine_and_sine(argument)?.0),
             Function::Sine => Ok(self.cosine_and_sine(argument)?.1),
-            Function::Tangent | Function::Cotangent => {
+            Function::Tangent => {
                 let (cosine, sine) = self.cosine_and_sine(argument)?;
-                let quotient = match function {
-                    Function::Tangent => sine.checked_div(&cosine)?,
-                    _ => cosine.checked_div(&sine)?,
-                };
-                Ok(self.reduce(quotient))
+                Ok(self.reduce(sine.checked_div(&cosine)?))
             }
-            Function::HyperbolicCosine | Function::HyperbolicSine | Function::HyperbolicTangent => {
-                let up = self.exponential(argument)?;
-                let down = self.reduce(up.inverse()?);
-                let (sum, difference) = (&up + &down, &up - &down);
-                let two = self.integer(2);
-                Ok(self.reduce(match function {
-                    Function::HyperbolicCosine => sum.checked_div(&two)?,
-                    Function::HyperbolicSine => difference.checked_div(&two)?,
-                    _ => difference.checked_div(&sum)?,
-                }))
+            Function::Cotangent => {
+                let (cosine, sine) = self.cosine_and_sine(argument)?;
+                Ok(self.reduce(cosine.checked_div(&sine)?))
+            }
+            Function::HyperbolicCosine => {
+                let (sum, _) = self.sum_and_difference_of_exponentials(argument)?;
+                Ok(self.reduce(sum.checked_div(&self.integer(2))?))
+            }
+            Function::HyperbolicSine => {
+                let (_, difference) = self.sum_and_difference_of_exponentials(argument)?;
+                Ok(self.reduce(difference.checked_div(&self.integer(2))?))
+            }
+            Function::HyperbolicTangent => {
+                let (sum, difference) = self.sum_and_difference_of_exponentials(argument)?;
+                Ok(self.reduce(difference.checked_div(&sum)?))
             }
             Function::SquareRoot => self.square_root(argument),
             Function::Absolute => self.absolute(argument),
@@ -182,6 +183,16 @@ impl FunctionTable {
             .collect()
     }
 
+    /// `e^u + e^(-u)` and `e^u - e^(-u)`.
+    fn sum_and_difference_of_exponentials(
+        &self,
+        argument: &RationalFunction,
+    ) -> Possible<(RationalFunction, RationalFunction)> {
+        let up = self.exponential(argument)?;
+        let down = self.reduce(up.inverse()?);
+        Ok((&up + &down, &up - &down))
+    }
+
     /// The number n for which `number * atom` is n times the argument of a known letter, with that
     /// argument; otherwise the atom is divided as `number` wants it.
     pub(super) fn multiple(
@@ -223,7 +234,15 @@ impl FunctionTable {
                 FunctionLetter::Exponential(_) => FunctionLetter::Exponential(finer.clone()),
                 FunctionLetter::Cosine(_) => FunctionLetter::Cosine(finer.clone()),
                 FunctionLetter::Power(base, _) => FunctionLetter::Power(base, finer.clone()),
-                _ => return Err(Impossible::unsupported("a fraction of this argument")),
+                FunctionLetter::Sine(..)
+                | FunctionLetter::Root(_)
+                | FunctionLetter::Logarithm(_)
+                | FunctionLetter::Dirac(_)
+                | FunctionLetter::Pi
+                | FunctionLetter::ImaginaryUnit
+                | FunctionLetter::Bound { .. } => {
+                    return Err(Impossible::unsupported("a fraction of this argument"));
+                }
             };
             let fine = self.letter(fine)?;
             self.replace_by_finer(letter, fine, times);

@@ -363,9 +363,10 @@ impl FunctionTable {
                 // The derivative is at most one.
                 let width = &angle.high - &angle.low;
                 let (cosine, sine) = cosine_and_sine(&angle.middle())?;
-                let value = match function {
-                    FunctionLetter::Cosine(_) => cosine,
-                    _ => sine,
+                let value = if function.as_cosine().is_some() {
+                    cosine
+                } else {
+                    sine
                 };
                 Some(widened(&value, &width))
             }

@@ -39,10 +39,7 @@ impl FunctionTable {
             let number = term.number.clone();
             return self.power_by(&base, Term { number, atom });
         }
-        let (n, unit) = self.multiple(term, |f| match f {
-            FunctionLetter::Exponential(u) => Some(u.clone()),
-            _ => None,
-        })?;
+        let (n, unit) = self.multiple(term, |f| f.as_exponential().cloned())?;
         let letter = self.letter_value(FunctionLetter::Exponential(unit))?;
         self.power_of(&letter, n)
     }
@@ -56,9 +53,14 @@ impl FunctionTable {
         }
         let exponents = monomial.exponents();
         let letters = self.all().into_iter();
-        let logarithms = letters.filter_map(|(letter, f)| match f {
-            FunctionLetter::Logarithm(base) if exponents[letter] > 0 => Some((letter, base)),
-            _ => None,
+        let logarithms = letters.filter_map(|(letter, f)| {
+            if let FunctionLetter::Logarithm(base) = f
+                && exponents[letter] > 0
+            {
+                Some((letter, base))
+            } else {
+                None
+            }
         });
         logarithms.min_by(|(_, a), (_, b)| a.cmp(b))
     }
@@ -82,9 +84,9 @@ impl FunctionTable {
                 },
             );
         }
-        let (n, unit) = self.multiple(&exponent, |f| match f {
-            FunctionLetter::Power(b, e) if b == base => Some(e.clone()),
-            _ => None,
+        let (n, unit) = self.multiple(&exponent, |f| {
+            let (b, e) = f.as_power()?;
+            (b == base).then(|| e.clone())
         })?;
         let (n, unit) = with_positive_lead(n, unit);
         let letter = self.letter_value(FunctionLetter::Power(base.clone(), unit))?;

@@ -104,10 +104,7 @@ impl FunctionTable {
             angles: Vec::new(),
         };
         for (letter, function) in kernels {
-            let (FunctionLetter::Exponential(u)
-            | FunctionLetter::Cosine(u)
-            | FunctionLetter::Sine(u, _)) = function
-            else {
+            let Some(u) = function.as_exponential().or(function.as_circular()) else {
                 return Ok(None);
             };
             let rate = u.derivative(variable)?;
@@ -115,16 +112,15 @@ impl FunctionTable {
             if !direct || self.letters_behind(&rate).contains(&variable) {
                 return Ok(None);
             }
-            let (cosine, sine) = match function {
-                FunctionLetter::Exponential(_) => {
-                    functions.exponentials.push((*letter, rate));
-                    continue;
-                }
-                FunctionLetter::Sine(_, cosine) => (*cosine, *letter),
-                _ => (
-                    *letter,
-                    self.letter(FunctionLetter::Sine(u.clone(), *letter))?,
-                ),
+            if function.as_exponential().is_some() {
+                functions.exponentials.push((*letter, rate));
+                continue;
+            }
+            let (cosine, sine) = if let FunctionLetter::Sine(_, cosine) = function {
+                (*cosine, *letter)
+            } else {
+                let sine = self.letter(FunctionLetter::Sine(u.clone(), *letter))?;
+                (*letter, sine)
             };
             if functions.angles.iter().all(|a| a.cosine != cosine) {
                 let angle = Angle { cosine, sine, rate };
@@ -204,7 +200,7 @@ impl FunctionTable {
         let field = Symbolic::with_functions(self.clone());
         match solve(&field, matrix, right.collect()) {
             Solution::Unique { values, .. } => Some(unknowns.into_iter().zip(values).collect()),
-            _ => None,
+            Solution::Underdetermined | Solution::Inconsistent | Solution::TooLarge => None,
         }
     }
 

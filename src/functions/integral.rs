@@ -230,10 +230,7 @@ impl FunctionTable {
         let powers: Vec<(usize, RationalFunction)> = self
             .kernels(integrand, variable)
             .into_iter()
-            .filter_map(|(letter, f)| match f {
-                FunctionLetter::Power(_, exponent) => Some((letter, exponent)),
-                _ => None,
-            })
+            .filter_map(|(letter, f)| Some((letter, f.as_power()?.1.clone())))
             .collect();
         if powers
             .iter()
@@ -376,15 +373,9 @@ impl FunctionTable {
         half: bool,
     ) -> Possible<RationalFunction> {
         let beyond = || Impossible::unsupported("an integral of this integrand");
-        let angle = kernels.iter().find_map(|(_, f)| match f {
-            FunctionLetter::Cosine(u) | FunctionLetter::Sine(u, _) => Some(u.clone()),
-            _ => None,
-        });
-        let angle = angle.ok_or_else(beyond)?;
-        let same = kernels.iter().all(|(_, f)| match f {
-            FunctionLetter::Cosine(u) | FunctionLetter::Sine(u, _) => *u == angle,
-            _ => false,
-        });
+        let angle = kernels.iter().find_map(|(_, f)| f.as_circular());
+        let angle = angle.ok_or_else(beyond)?.clone();
+        let same = kernels.iter().all(|(_, f)| f.as_circular() == Some(&angle));
         let frequency = angle.checked_div(&self.variable(variable))?;
         if !same || self.letters_behind(&frequency).contains(&variable) {
             return Err(beyond());
@@ -415,19 +406,17 @@ impl FunctionTable {
                 return Err(beyond());
             }
             let spectrum = RationalFunction::from(coefficient.clone()).checked_div(&below)?;
-            match function {
-                FunctionLetter::Cosine(_) => {
-                    sum = &sum + &self.cosine_integral(&spectrum, variable, &frequency, half)?;
-                }
+            if function.as_cosine().is_some() {
+                sum = &sum + &self.cosine_integral(&spectrum, variable, &frequency, half)?;
+            } else if !half && is_even(&spectrum, variable) {
                 // The sine is odd: over the whole axis nothing is left beside an even factor, if that is
                 // integrable by itself.
-                _ if !half && is_even(&spectrum, variable) => {
-                    self.integral_of_spectrum(&spectrum, variable)?;
-                    if !self.is_real(&frequency) {
-                        return Err(beyond());
-                    }
+                self.integral_of_spectrum(&spectrum, variable)?;
+                if !self.is_real(&frequency) {
+                    return Err(beyond());
                 }
-                _ => return Err(beyond()),
+            } else {
+                return Err(beyond());
             }
         }
         if !rest.is_zero() {

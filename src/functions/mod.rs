@@ -18,6 +18,8 @@
 //! Invariants: an argument mentions only letters that were given out before; the table only grows, but for
 //! letters that are taken back once nothing uses them.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod angle;
 mod bounds;
 mod calculus;
@@ -83,6 +85,44 @@ pub enum FunctionLetter {
     },
 }
 
+impl FunctionLetter {
+    /// The argument, of an exponential.
+    fn as_exponential(&self) -> Option<&RationalFunction> {
+        if let FunctionLetter::Exponential(argument) = self {
+            Some(argument)
+        } else {
+            None
+        }
+    }
+
+    /// The argument, of a cosine.
+    fn as_cosine(&self) -> Option<&RationalFunction> {
+        if let FunctionLetter::Cosine(argument) = self {
+            Some(argument)
+        } else {
+            None
+        }
+    }
+
+    /// The angle, of a cosine or a sine.
+    fn as_circular(&self) -> Option<&RationalFunction> {
+        if let FunctionLetter::Cosine(angle) | FunctionLetter::Sine(angle, _) = self {
+            Some(angle)
+        } else {
+            None
+        }
+    }
+
+    /// Base and exponent, of a power.
+    fn as_power(&self) -> Option<(&Polynomial, &RationalFunction)> {
+        if let FunctionLetter::Power(base, exponent) = self {
+            Some((base, exponent))
+        } else {
+            None
+        }
+    }
+}
+
 /// Why an operation with functions comes to nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Impossible {
@@ -116,9 +156,11 @@ impl Impossible {
 
 impl From<ratpoly::Error> for Impossible {
     fn from(error: ratpoly::Error) -> Self {
-        match error {
-            ratpoly::Error::DivisionByZero => Impossible::DivisionByZero,
-            _ => Impossible::unsupported("an expression beyond the limits"),
+        // Whatever else the engine refuses is a limit of its own.
+        if let ratpoly::Error::DivisionByZero = error {
+            Impossible::DivisionByZero
+        } else {
+            Impossible::unsupported("an expression beyond the limits")
         }
     }
 }

@@ -41,9 +41,10 @@ impl FunctionTable {
     /// What a letter is in terms of a finer one, if it has been replaced.
     pub(crate) fn in_finer_letters(&self, letter: usize) -> Option<RationalFunction> {
         let meaning = self.meaning(letter)?;
-        let replaced = match &meaning {
-            FunctionLetter::Sine(_, cosine) => *cosine,
-            _ => letter,
+        let replaced = if let FunctionLetter::Sine(_, cosine) = &meaning {
+            *cosine
+        } else {
+            letter
         };
         let finer = {
             let given = self.lock();

@@ -343,13 +343,11 @@ impl FunctionTable {
             RegionSign::NonPositive => Sign::NotPositive,
             RegionSign::Changes { .. } | RegionSign::Undecided => return None,
         };
-        if !matches!(inside, Sign::Positive | Sign::Negative) {
-            // By continuity it is so on the faces.
-            return Some(inside);
-        }
         let weak = match inside {
             Sign::Positive => Sign::NotNegative,
-            _ => Sign::NotPositive,
+            Sign::Negative => Sign::NotPositive,
+            // By continuity it is so on the faces.
+            Sign::Zero | Sign::NotNegative | Sign::NotPositive => return Some(inside),
         };
         let closed = |l: &&usize| {
             ranges.get(l).is_some_and(|r| {

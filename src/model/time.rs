@@ -8,9 +8,10 @@
 //! Invariant: a time is a declared letter that stands for a number, or a letter that nothing but
 //! processes mention.
 
-use super::names::Names;
+use super::names::{Names, Resolved};
 use super::{Model, Node, Symbol};
-use crate::expr::Name;
+use crate::expr::walk::visit;
+use crate::expr::{Expr, ExprKind, Name};
 use crate::latex;
 use crate::span::Span;
 use crate::unit::{Base, Dimension, Unit};
@@ -24,6 +25,17 @@ pub enum Clock {
     /// It changes with this time, by its canonical name.
     Runs(String),
     /// Nothing says: it is an argument of functions, or a letter `t` that is not the processes' time.
+    Unclear,
+}
+
+/// In what something that is said to be constant does not change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constancy<'e> {
+    /// In the time.
+    Time,
+    /// In the letter that it is a function of.
+    Letter(&'e Name),
+    /// It is made of functions of letters that stand still: nothing says which of them is meant.
     Unclear,
 }
 
@@ -85,6 +97,47 @@ impl Model {
             return Clock::Unclear;
         }
         Clock::Still
+    }
+
+    /// What a chain that begins with `head` means by "constant": that f(x) is, is said of x; of anything
+    /// else it is said of the time, unless functions of letters that know no time stand there.
+    pub fn constancy<'e>(&self, head: Option<&'e Expr>) -> Constancy<'e> {
+        let Some(head) = head.map(Expr::without_brackets) else {
+            return Constancy::Time;
+        };
+        if let ExprKind::Apply { arguments, .. } = &head.kind
+            && let [argument] = arguments.as_slice()
+            && let Some(name) = argument.as_name()
+            && !self.is_time(name)
+        {
+            return Constancy::Letter(name);
+        }
+        let still = |name: &Name| match self.resolve(name, &|_| false) {
+            Ok(Resolved::Letter { symbol, .. }) => match self.clock(symbol) {
+                Clock::Still | Clock::Unclear => true,
+                Clock::Runs(_) => false,
+            },
+            Ok(
+                Resolved::Bound(_)
+                | Resolved::Node { .. }
+                | Resolved::Primed { .. }
+                | Resolved::Indexed { .. },
+            )
+            | Err(_) => false,
+        };
+        let mut unclear = false;
+        visit(head, &mut |e| {
+            if let ExprKind::Apply { arguments, .. } = &e.kind {
+                for argument in arguments {
+                    visit(argument, &mut |a| unclear |= a.as_name().is_some_and(still));
+                }
+            }
+        });
+        if unclear {
+            Constancy::Unclear
+        } else {
+            Constancy::Time
+        }
     }
 
     /// Whether a letter with this canonical name is a time.

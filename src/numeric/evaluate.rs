@@ -13,7 +13,7 @@ use super::resolver::{Element, Meaning, Reference, Resolver};
 use super::unknowns::SolvedSystem;
 use super::value::{Failure, FailureKind, Value};
 use super::{LyapunovMethod, NumericError};
-use crate::expr::{Expr, ExprKind, Function, Name, Sign};
+use crate::expr::{Expr, ExprKind, Function, Name, Sign, integer};
 use crate::latex;
 use crate::span::Span;
 use nalgebra::DMatrix;
@@ -179,7 +179,12 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
                 to,
                 body,
             } => self.big_sum(index, [from, to], body, span),
-            other => Err(Failure::unsupported(unsupported(other), span)),
+            ExprKind::Tuple(_) => Err(Failure::unsupported("a tuple", span)),
+            ExprKind::Named { .. } => Err(Failure::unsupported("a named argument", span)),
+            ExprKind::Derivative { .. } => Err(Failure::unsupported("a derivative", span)),
+            ExprKind::Expectation(_) => Err(Failure::unsupported("an expectation", span)),
+            ExprKind::Infinity => Err(Failure::unsupported("infinity", span)),
+            ExprKind::Constant => Err(Failure::unsupported("an unnamed constant", span)),
         }
     }
 
@@ -274,43 +279,37 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
 
     fn call(&mut self, function: Function, argument: &Expr, span: Span) -> Result<Value, Failure> {
         let value = self.expression(argument)?;
-        // Bars around a matrix mean its determinant.
-        let bars = function == Function::Absolute && matches!(value, Value::Matrix(_));
-        if bars || matches!(function, Function::Determinant | Function::Trace) {
-            let matrix = square(value, span)?;
-            return match function {
-                Function::Trace => Ok(matrix.trace()),
-                _ => determinant(&matrix).map_err(|e| Failure::numeric(e, span)),
-            }
-            .map(Value::Scalar);
-        }
-        let x = match value {
-            Value::Scalar(x) => x,
-            Value::Zero => 0.0,
-            other => {
-                return Err(Failure::shape(
-                    "function",
-                    &other,
-                    &Value::Scalar(0.0),
-                    span,
-                ));
-            }
+        let number = |image: fn(f64) -> f64, value: Value| {
+            let x = value.into_number("function", span)?;
+            Ok(Value::Scalar(image(x)))
         };
-        Ok(Value::Scalar(match function {
-            Function::RealPart => x,
-            Function::ImaginaryPart => 0.0,
-            Function::Cosine => libm::cos(x),
-            Function::Sine => libm::sin(x),
-            Function::Tangent => libm::tan(x),
-            Function::Cotangent => 1.0 / libm::tan(x),
-            Function::HyperbolicCosine => libm::cosh(x),
-            Function::HyperbolicSine => libm::sinh(x),
-            Function::HyperbolicTangent => libm::tanh(x),
-            Function::Exponential => libm::exp(x),
-            Function::Logarithm => libm::log(x),
-            Function::SquareRoot => x.sqrt(),
-            _ => x.abs(),
-        }))
+        let of_square = |value: Value| {
+            let matrix = square(value, span)?;
+            determinant(&matrix)
+                .map(Value::Scalar)
+                .map_err(|e| Failure::numeric(e, span))
+        };
+        match function {
+            Function::Determinant => of_square(value),
+            Function::Trace => Ok(Value::Scalar(square(value, span)?.trace())),
+            // Bars around a matrix mean its determinant.
+            Function::Absolute => match value {
+                Value::Matrix(_) => of_square(value),
+                Value::Scalar(_) | Value::Zero => number(f64::abs, value),
+            },
+            Function::RealPart => number(|x| x, value),
+            Function::ImaginaryPart => number(|_| 0.0, value),
+            Function::Cosine => number(libm::cos, value),
+            Function::Sine => number(libm::sin, value),
+            Function::Tangent => number(libm::tan, value),
+            Function::Cotangent => number(|x| 1.0 / libm::tan(x), value),
+            Function::HyperbolicCosine => number(libm::cosh, value),
+            Function::HyperbolicSine => number(libm::sinh, value),
+            Function::HyperbolicTangent => number(libm::tanh, value),
+            Function::Exponential => number(libm::exp, value),
+            Function::Logarithm => number(libm::log, value),
+            Function::SquareRoot => number(f64::sqrt, value),
+        }
     }
 
     pub(super) fn name(&mut self, name: &Name, span: Span) -> Result<Value, Failure> {
@@ -437,12 +436,22 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
                 let matrix = self.expression(of)?;
                 entry(matrix, indices, span)
             }
-            Meaning::CharacteristicCoefficient(of)
-            | Meaning::HurwitzMatrix(of)
-            | Meaning::Cofactor(of)
-            | Meaning::LeadingMinor(of) => {
-                let target = self.expression(of)?;
-                notation(&meaning, target, indices, span)
+            Meaning::CharacteristicCoefficient(of) => {
+                let matrix = square(self.expression(of)?, span)?;
+                characteristic_coefficient(&matrix, indices, span)
+            }
+            Meaning::HurwitzMatrix(of) => {
+                let matrix = square(self.expression(of)?, span)?;
+                let found = faddeev_leverrier(&matrix).map_err(|e| Failure::numeric(e, span))?;
+                Ok(Value::from_matrix(hurwitz_matrix(&found.coefficients)))
+            }
+            Meaning::Cofactor(of) => {
+                let matrix = square(self.expression(of)?, span)?;
+                cofactor(&matrix, indices, span)
+            }
+            Meaning::LeadingMinor(of) => {
+                let matrix = square(self.expression(of)?, span)?;
+                leading_minor(&matrix, indices, span)
             }
             Meaning::Unknown { system, position } => self.unknown(system, position, span),
             Meaning::Number(Some(number)) => Ok(Value::Scalar(number)),
@@ -456,79 +465,45 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
     }
 
     /// The integer that an index or exponent evaluates to.
-    fn integer(&mut self, expr: &Expr) -> Result<i64, Failure> {
-        let fail = || Failure::new(FailureKind::Exponent, expr.span);
-        match &expr.kind {
-            ExprKind::Number(n) if n.is_integer() => n.to_integer().to_i64().ok_or_else(fail),
-            ExprKind::Name(name) => {
-                let index = self.resolver.canonical(name);
-                self.bound_value(&index).ok_or_else(fail)
-            }
-            ExprKind::Group { inner, .. } => self.integer(inner),
-            ExprKind::Sum(terms) => terms.iter().try_fold(0i64, |sum, (sign, term)| {
-                let value = self.integer(term)?;
-                match sign {
-                    Sign::Plus => sum.checked_add(value),
-                    Sign::Minus => sum.checked_sub(value),
-                }
-                .ok_or_else(fail)
-            }),
-            ExprKind::Product(factors) => factors.iter().try_fold(1i64, |product, factor| {
-                product.checked_mul(self.integer(factor)?).ok_or_else(fail)
-            }),
-            _ => Err(fail()),
-        }
+    fn integer(&self, expr: &Expr) -> Result<i64, Failure> {
+        let letter = |name: &Name| self.bound_value(&self.resolver.canonical(name));
+        integer::integer(expr, &letter)
+            .map_err(|part| Failure::new(FailureKind::Exponent, part.span))
     }
 }
 
-/// What a notation says of a square matrix.
-fn notation(
-    meaning: &Meaning<'_>,
-    target: Value,
+/// The index at a position, where it counts the rows and columns of a matrix.
+fn index_within(matrix: &DMatrix<f64>, indices: &[i64], position: usize) -> Option<usize> {
+    let index = usize::try_from(*indices.get(position)?).ok()?;
+    (1..=matrix.nrows()).contains(&index).then_some(index)
+}
+
+fn characteristic_coefficient(
+    matrix: &DMatrix<f64>,
     indices: &[i64],
     span: Span,
 ) -> Result<Value, Failure> {
-    let matrix = square(target, span)?;
-    let n = matrix.nrows();
-    let index = |k: usize| indices.get(k).and_then(|i| usize::try_from(*i).ok());
-    let inside = |k: usize| index(k).filter(|i| (1..=n).contains(i));
-    let outside = || outside(indices, span);
-    let fail = |error| Failure::numeric(error, span);
-    Ok(match meaning {
-        Meaning::CharacteristicCoefficient(_) => {
-            let k = index(0).ok_or_else(outside)?;
-            let coefficients = faddeev_leverrier(&matrix).map_err(fail)?.coefficients;
-            // Beyond the degree a polynomial's coefficients are zero.
-            Value::Scalar(coefficients.get(k).copied().unwrap_or(0.0))
-        }
-        Meaning::HurwitzMatrix(_) => {
-            let coefficients = faddeev_leverrier(&matrix).map_err(fail)?.coefficients;
-            Value::from_matrix(hurwitz_matrix(&coefficients))
-        }
-        Meaning::Cofactor(_) => {
-            let (i, j) = inside(0).zip(inside(1)).ok_or_else(outside)?;
-            let minor = matrix.remove_row(i - 1).remove_column(j - 1);
-            let value = determinant(&minor).map_err(fail)?;
-            Value::Scalar(if (i + j) % 2 == 0 { value } else { -value })
-        }
-        _ => {
-            let k = inside(0).ok_or_else(outside)?;
-            let leading = matrix.view((0, 0), (k, k)).into_owned();
-            Value::Scalar(determinant(&leading).map_err(fail)?)
-        }
-    })
+    let order = indices.first().and_then(|i| usize::try_from(*i).ok());
+    let order = order.ok_or_else(|| outside(indices, span))?;
+    let found = faddeev_leverrier(matrix).map_err(|e| Failure::numeric(e, span))?;
+    // Beyond the degree a polynomial's coefficients are zero.
+    let coefficient = found.coefficients.get(order).copied();
+    Ok(Value::Scalar(coefficient.unwrap_or(0.0)))
 }
 
-/// What an expression is that has no floating-point value here.
-fn unsupported(kind: &ExprKind) -> &'static str {
-    match kind {
-        ExprKind::Tuple(_) => "a tuple",
-        ExprKind::Named { .. } => "a named argument",
-        ExprKind::Derivative { .. } => "a derivative",
-        ExprKind::Expectation(_) => "an expectation",
-        ExprKind::Infinity => "infinity",
-        _ => "an unnamed constant",
-    }
+fn cofactor(matrix: &DMatrix<f64>, indices: &[i64], span: Span) -> Result<Value, Failure> {
+    let [row, column] = [0, 1].map(|at| index_within(matrix, indices, at));
+    let (i, j) = row.zip(column).ok_or_else(|| outside(indices, span))?;
+    let minor = matrix.clone().remove_row(i - 1).remove_column(j - 1);
+    let value = determinant(&minor).map_err(|e| Failure::numeric(e, span))?;
+    Ok(Value::Scalar(if (i + j) % 2 == 0 { value } else { -value }))
+}
+
+fn leading_minor(matrix: &DMatrix<f64>, indices: &[i64], span: Span) -> Result<Value, Failure> {
+    let order = index_within(matrix, indices, 0).ok_or_else(|| outside(indices, span))?;
+    let leading = matrix.view((0, 0), (order, order)).into_owned();
+    let value = determinant(&leading).map_err(|e| Failure::numeric(e, span))?;
+    Ok(Value::Scalar(value))
 }
 
 fn outside(indices: &[i64], span: Span) -> Failure {
@@ -537,17 +512,20 @@ fn outside(indices: &[i64], span: Span) -> Failure {
 }
 
 fn square(value: Value, span: Span) -> Result<DMatrix<f64>, Failure> {
-    match value {
-        Value::Scalar(s) => Ok(DMatrix::from_element(1, 1, s)),
-        Value::Matrix(m) if m.is_square() => Ok(m),
-        other => Err(Failure::shape("determinant", &other, &other, span)),
+    match &value {
+        Value::Scalar(s) => Ok(DMatrix::from_element(1, 1, *s)),
+        Value::Matrix(m) if m.is_square() => Ok(m.clone()),
+        Value::Matrix(_) | Value::Zero => Err(Failure::shape("determinant", &value, &value, span)),
     }
 }
 
 /// The entry with these indices, from 1; a vector may have one index.
 fn entry(value: Value, indices: &[i64], span: Span) -> Result<Value, Failure> {
     let at = |k: i64| usize::try_from(k).ok()?.checked_sub(1);
-    let (rows, columns) = value.shape().unwrap_or((0, 0));
+    // Which entries the zero of any shape has is not known.
+    let (rows, columns) = value
+        .shape()
+        .ok_or_else(|| Failure::unsupported("an entry of a zero without a shape", span))?;
     let place = match indices {
         [i, j] => at(*i).zip(at(*j)),
         [i] if columns == 1 => at(*i).map(|i| (i, 0)),
@@ -557,6 +535,6 @@ fn entry(value: Value, indices: &[i64], span: Span) -> Result<Value, Failure> {
     match (value, place) {
         (Value::Matrix(m), Some((i, j))) if i < rows && j < columns => Ok(Value::Scalar(m[(i, j)])),
         (Value::Scalar(s), Some((0, 0))) => Ok(Value::Scalar(s)),
-        _ => Err(outside(indices, span)),
+        (Value::Matrix(_) | Value::Scalar(_) | Value::Zero, _) => Err(outside(indices, span)),
     }
 }

@@ -36,14 +36,12 @@ impl<R: Resolver> Evaluator<'_, R> {
         let parameters = self.resolver.parameters(function);
         let mut numbers = Vec::new();
         for (position, argument) in arguments.iter().enumerate() {
-            let (node, value) = match &argument.kind {
-                ExprKind::Named { name, value } => (self.letter(name, span)?, &**value),
-                _ => match parameters.get(position) {
-                    Some(node) => (*node, argument),
-                    None => {
-                        return Err(Failure::unsupported("a function at another argument", span));
-                    }
-                },
+            let (node, value) = if let Some((name, value)) = argument.as_named_argument() {
+                (self.letter(name, span)?, value)
+            } else if let Some(node) = parameters.get(position) {
+                (*node, argument)
+            } else {
+                return Err(Failure::unsupported("a function at another argument", span));
             };
             numbers.push((node, self.number(value)?));
         }
@@ -53,21 +51,17 @@ impl<R: Resolver> Evaluator<'_, R> {
     fn letter(&self, name: &Name, span: Span) -> Result<R::Node, Failure> {
         match self.resolver.resolve(name, &|_| false) {
             Reference::Node(node) => Ok(node),
-            _ => Err(Failure::unsupported("an argument that is no letter", span)),
+            Reference::Bound(_)
+            | Reference::Indexed { .. }
+            | Reference::Undeclared
+            | Reference::WithoutValue => {
+                Err(Failure::unsupported("an argument that is no letter", span))
+            }
         }
     }
 
     fn number(&mut self, expr: &Expr) -> Result<f64, Failure> {
-        match self.expression(expr)? {
-            Value::Scalar(x) => Ok(x),
-            Value::Zero => Ok(0.0),
-            other => Err(Failure::shape(
-                "argument",
-                &other,
-                &Value::Scalar(0.0),
-                expr.span,
-            )),
-        }
+        self.expression(expr)?.into_number("argument", expr.span)
     }
 
     /// Runs `body` while letters have other values.
@@ -117,33 +111,30 @@ impl<R: Resolver> Evaluator<'_, R> {
                 End::MinusInfinity => f64::NEG_INFINITY,
             });
         }
-        Ok(values
-            .windows(2)
-            .zip(&condition.relations)
-            .all(|(pair, relation)| match relation {
+        let mut met = true;
+        for (pair, relation) in values.windows(2).zip(&condition.relations) {
+            met &= match relation {
                 Relation::Less => pair[0] < pair[1],
                 Relation::LessEqual => pair[0] <= pair[1],
                 Relation::Greater => pair[0] > pair[1],
                 Relation::GreaterEqual => pair[0] >= pair[1],
                 Relation::Equal => pair[0] == pair[1],
-                _ => false,
-            }))
+                Relation::NotEqual => pair[0] != pair[1],
+                Relation::Distributed | Relation::Approximately | Relation::Tends => {
+                    let what = "such a condition of a case";
+                    return Err(Failure::unsupported(what, condition.span));
+                }
+            };
+        }
+        Ok(met)
     }
 
     fn end(&mut self, expr: &Expr) -> Result<End, Failure> {
-        if let ExprKind::Infinity = expr.kind {
-            return Ok(End::Infinity);
+        match expr.as_infinity() {
+            Some(Sign::Plus) => Ok(End::Infinity),
+            Some(Sign::Minus) => Ok(End::MinusInfinity),
+            None => self.number(expr).map(End::At),
         }
-        if let ExprKind::Sum(terms) = &expr.kind
-            && let [(sign, only)] = terms.as_slice()
-            && only.kind == ExprKind::Infinity
-        {
-            return Ok(match sign {
-                Sign::Plus => End::Infinity,
-                Sign::Minus => End::MinusInfinity,
-            });
-        }
-        self.number(expr).map(End::At)
     }
 
     /// An integral by quadrature.

@@ -21,6 +21,8 @@
 //! [`NumericError`], never a panic and never a silent NaN; only `+ - * /`, square roots and
 //! `libm` are used, so that the same input gives the same bits on every machine.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 use nalgebra::DMatrix;
 
 pub mod agreement;

@@ -147,24 +147,21 @@ impl<'m> Point<'m> {
 
     /// The definition that a name, or the power of one, stands for.
     fn node_of(&self, expr: &Expr) -> Option<Node> {
-        match &expr.kind {
-            ExprKind::Name(name) => match self.model.resolve(name, &|_| false) {
+        if let Some(name) = expr.as_name() {
+            return match self.model.resolve(name, &|_| false) {
                 Ok(Resolved::Node {
                     node,
                     derivatives: 0,
                 }) => Some(node),
                 _ => None,
-            },
-            ExprKind::Power { base, exponent } => {
-                let ExprKind::Name(name) = &base.kind else {
-                    return None;
-                };
-                let exponent = u32::try_from(names::literal_integer(exponent)?).ok()?;
-                let (node, rest) = self.model.power_node(name, exponent)?;
-                (rest == 1).then_some(node)
-            }
-            _ => None,
+            };
         }
+        let ExprKind::Power { base, exponent } = &expr.kind else {
+            return None;
+        };
+        let exponent = u32::try_from(names::literal_integer(exponent)?).ok()?;
+        let (node, rest) = self.model.power_node(base.as_name()?, exponent)?;
+        (rest == 1).then_some(node)
     }
 
     fn display(&self, equation: usize) -> Option<&Display> {
@@ -259,7 +256,10 @@ impl Resolver for Point<'_> {
                     DefinitionKind::Family { indices: names, .. } => {
                         names.iter().cloned().zip(indices.iter().copied()).collect()
                     }
-                    _ => Vec::new(),
+                    DefinitionKind::Whole
+                    | DefinitionKind::Power(_)
+                    | DefinitionKind::ValueAt(_)
+                    | DefinitionKind::Element(_) => Vec::new(),
                 };
                 let expr = definition.place.find(self.display(definition.equation)?)?;
                 let expr = self.without_expectation(node, expr);

@@ -28,10 +28,14 @@ pub fn lyapunov(a: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Solution, NumericE
     let s = shift(a)?;
     let unit = DMatrix::<f64>::identity(n, n);
     // s is no eigenvalue of a stable matrix.
-    let resolvent = solve(&(&unit * s - a), &unit).map_err(|error| match error {
-        NumericError::Singular => NumericError::Unstable,
-        other => other,
-    })?;
+    let unstable = |error: NumericError| {
+        if error == NumericError::Singular {
+            NumericError::Unstable
+        } else {
+            error
+        }
+    };
+    let resolvent = solve(&(&unit * s - a), &unit).map_err(unstable)?;
     let mut c = &resolvent * (&unit * s + a);
     let mut x = symmetrised(&(&resolvent * q * resolvent.transpose() * (2.0 * s)));
     let mut operations =

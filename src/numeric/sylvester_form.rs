@@ -126,26 +126,27 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
 
 /// The terms of a sum of sums with their signs.
 fn flatten<'e>(expr: &'e Expr, sign: Sign, terms: &mut Vec<(Sign, &'e Expr)>) {
-    match &strip(expr).kind {
-        ExprKind::Sum(inner) => {
-            for (own, term) in inner {
-                let sign = if *own == sign {
-                    Sign::Plus
-                } else {
-                    Sign::Minus
-                };
-                flatten(term, sign, terms);
-            }
-        }
-        _ => terms.push((sign, strip(expr))),
+    let expr = strip(expr);
+    let ExprKind::Sum(inner) = &expr.kind else {
+        terms.push((sign, expr));
+        return;
+    };
+    for (own, term) in inner {
+        let sign = if *own == sign {
+            Sign::Plus
+        } else {
+            Sign::Minus
+        };
+        flatten(term, sign, terms);
     }
 }
 
 /// The expression inside brackets and underbraces.
 fn strip(expr: &Expr) -> &Expr {
-    match &expr.kind {
-        ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } => strip(inner),
-        _ => expr,
+    if let ExprKind::Group { inner, .. } | ExprKind::Underbrace { body: inner, .. } = &expr.kind {
+        strip(inner)
+    } else {
+        expr
     }
 }
 

@@ -11,6 +11,7 @@ use super::resolver::{Resolver, System};
 use super::sylvester_form::SylvesterForm;
 use super::value::{Failure, FailureKind, Value};
 use super::{LyapunovMethod, NumericError, cost};
+use crate::expr::walk::children;
 use crate::expr::{Expr, ExprKind};
 use crate::span::Span;
 use nalgebra::DMatrix;
@@ -126,12 +127,16 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
         let shapes = self.shapes(system, &equations, span)?;
         let form = match self.method {
             LyapunovMethod::Kronecker => None,
-            _ => self.form(system, &equations, &shapes),
+            LyapunovMethod::BartelsStewart
+            | LyapunovMethod::Smith
+            | LyapunovMethod::Kreisselmeier => self.form(system, &equations, &shapes),
         };
         let direct = form.and_then(|form| match self.method {
             method if form.is_lyapunov() => Some(method.solve(&form.a, &form.q)),
             LyapunovMethod::BartelsStewart => Some(sylvester(&form.a, &form.b, &form.q)),
-            _ => None,
+            LyapunovMethod::Kronecker | LyapunovMethod::Smith | LyapunovMethod::Kreisselmeier => {
+                None
+            }
         });
         if let Some(solution) = direct {
             let solution = solution.map_err(|e| Failure::numeric(e, span))?;
@@ -250,24 +255,27 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
 
     /// The sizes of what can be evaluated without the unknowns.
     fn sizes(&mut self, expr: &Expr, sizes: &mut Vec<usize>) {
-        let parts: Vec<&Expr> = match &expr.kind {
-            ExprKind::Sum(terms) => terms.iter().map(|(_, term)| term).collect(),
-            ExprKind::Product(factors) => factors.iter().collect(),
-            ExprKind::Group { inner, .. }
-            | ExprKind::Transpose(inner)
-            | ExprKind::Underbrace { body: inner, .. } => vec![inner],
-            ExprKind::Power { base, .. } => vec![base],
-            _ => {
-                // The unknowns themselves fail here, being solved without trial values.
-                let value = self.expression(expr);
-                if let Ok(Some((rows, columns))) = value.map(|v| v.shape()) {
-                    sizes.extend([rows, columns]);
-                }
-                return;
+        if let ExprKind::Power { base, .. } = &expr.kind {
+            return self.sizes(base, sizes);
+        }
+        let made_of_parts = matches!(
+            expr.kind,
+            ExprKind::Sum(_)
+                | ExprKind::Product(_)
+                | ExprKind::Group { .. }
+                | ExprKind::Transpose(_)
+                | ExprKind::Underbrace { .. }
+        );
+        if made_of_parts {
+            for part in children(expr) {
+                self.sizes(part, sizes);
             }
-        };
-        for part in parts {
-            self.sizes(part, sizes);
+            return;
+        }
+        // The unknowns themselves fail here, being solved without trial values.
+        let value = self.expression(expr);
+        if let Ok(Some((rows, columns))) = value.map(|v| v.shape()) {
+            sizes.extend([rows, columns]);
         }
     }
 }

@@ -97,7 +97,15 @@ impl Failure {
                 },
                 span,
             ),
-            error => Failure::new(FailureKind::Numeric(error), span),
+            NumericError::Range
+            | NumericError::NotFinite
+            | NumericError::NotSymmetric
+            | NumericError::NoConvergence { .. }
+            | NumericError::Singular
+            | NumericError::Unstable
+            | NumericError::NotLinear
+            | NumericError::Count { .. }
+            | NumericError::Tolerance { .. } => Failure::new(FailureKind::Numeric(error), span),
         }
     }
 }
@@ -118,6 +126,18 @@ impl Value {
             Value::Scalar(s) => DMatrix::from_element(1, 1, s),
             Value::Matrix(m) => m,
             Value::Zero => DMatrix::zeros(zero.0, zero.1),
+        }
+    }
+
+    /// The number that it is, where the zero of any shape is 0.
+    ///
+    /// # Errors
+    /// Where it is a matrix.
+    pub(super) fn into_number(self, operation: &'static str, span: Span) -> Result<f64, Failure> {
+        match self {
+            Value::Scalar(x) => Ok(x),
+            Value::Zero => Ok(0.0),
+            Value::Matrix(_) => Err(Failure::shape(operation, &self, &Value::Scalar(0.0), span)),
         }
     }
 
@@ -154,7 +174,7 @@ impl Value {
     pub fn transposed(self) -> Self {
         match self {
             Value::Matrix(m) => Value::Matrix(m.transpose()),
-            other => other,
+            Value::Scalar(_) | Value::Zero => self,
         }
     }
 
@@ -221,7 +241,7 @@ impl Value {
         };
         let mut result = match &base {
             Value::Matrix(m) => Value::Matrix(DMatrix::identity(m.nrows(), m.nrows())),
-            _ => Value::Scalar(1.0),
+            Value::Scalar(_) | Value::Zero => Value::Scalar(1.0),
         };
         let (mut square, mut rest) = (base, exponent.unsigned_abs());
         while rest > 0 {
@@ -270,11 +290,11 @@ impl Value {
                     Value::Matrix(m) if m.shape() == expected => {
                         matrix.view_mut((top, left), expected).copy_from(m);
                     }
-                    other => {
+                    Value::Scalar(_) | Value::Matrix(_) => {
                         let kind = FailureKind::Shape {
                             operation: "matrix block",
                             left: Some(expected),
-                            right: other.shape(),
+                            right: value.shape(),
                         };
                         return Err(Failure::new(kind, *at));
                     }

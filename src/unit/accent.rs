@@ -4,7 +4,7 @@
 //! a tilde would. Such names are known by the dotted letter here, so that nothing is divided by
 //! seconds on their account.
 
-use crate::expr::walk::children_mut;
+use crate::expr::walk::{children_mut, own_name_mut};
 use crate::expr::{Chain, Display, Expr, ExprKind, Letter, Name};
 use crate::latex::canonical;
 use std::collections::BTreeSet;
@@ -64,18 +64,11 @@ impl Accents {
     }
 
     fn expression(&self, expr: &mut Expr) {
-        match &mut expr.kind {
-            ExprKind::Name(name)
-            | ExprKind::Apply { function: name, .. }
-            | ExprKind::Named { name, .. }
-            | ExprKind::BigSum { index: name, .. }
-            | ExprKind::Integral { variable: name, .. }
-            | ExprKind::Derivative {
-                variable: Some(name),
-                ..
-            } => self.settle(name),
-            ExprKind::Underbrace { label, .. } => self.chain(label),
-            _ => {}
+        if let Some(name) = own_name_mut(expr) {
+            self.settle(name);
+        }
+        if let ExprKind::Underbrace { label, .. } = &mut expr.kind {
+            self.chain(label);
         }
         for child in children_mut(expr) {
             self.expression(child);

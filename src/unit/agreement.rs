@@ -107,12 +107,13 @@ impl Checker<'_> {
             if let (Some(found), Some(expected)) = (&f.dimension, &e.dimension)
                 && !self.names.unification.unify(found, expected)
             {
-                let site = match site {
-                    UnitSite::Term if shape != (1, 1) => UnitSite::TermEntry {
+                let site = if site == UnitSite::Term && shape != (1, 1) {
+                    UnitSite::TermEntry {
                         row: at / columns + 1,
                         column: at % columns + 1,
-                    },
-                    ref site => site.clone(),
+                    }
+                } else {
+                    site.clone()
                 };
                 self.find(site, f.span, found, expected);
             }

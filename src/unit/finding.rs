@@ -104,7 +104,13 @@ impl fmt::Display for UnitFinding {
         }
         let neighbours = match self.site {
             UnitSite::Argument | UnitSite::Exponent => "but must have",
-            _ => "its neighbours",
+            UnitSite::Term
+            | UnitSite::Member(_)
+            | UnitSite::TermEntry { .. }
+            | UnitSite::MemberEntry { .. }
+            | UnitSite::ProductTerm { .. }
+            | UnitSite::DeterminantEntry { .. }
+            | UnitSite::TooLarge => "its neighbours",
         };
         write!(
             f,

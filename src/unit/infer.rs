@@ -20,6 +20,9 @@ pub(super) const RANGE_LIMIT: i64 = 64;
 /// Largest power of a matrix that is multiplied out.
 const MATRIX_POWER_LIMIT: i64 = 16;
 
+/// The largest exponent within an exponent.
+const LARGEST_EXPONENT: i32 = 64;
+
 /// Deepest nesting of definitions inside definitions.
 pub(super) const DEPTH_LIMIT: usize = 40;
 
@@ -116,13 +119,10 @@ impl<'n> Checker<'n> {
                 ..
             } => {
                 let numerator = self.measure(numerator);
-                match self.measure(denominator) {
-                    Measure::Scalar(Entry {
-                        dimension: Some(below),
-                        ..
-                    }) => numerator.times_power(&below, &whole(-1)),
-                    _ => Measure::Opaque,
-                }
+                let denominator = self.measure(denominator);
+                denominator.dimension().map_or(Measure::Opaque, |below| {
+                    numerator.times_power(below, &whole(-1))
+                })
             }
             ExprKind::Power { base, exponent } => self.power(base, exponent, span),
             ExprKind::Transpose(inner) => self.measure(inner).transposed(),
@@ -159,13 +159,9 @@ impl<'n> Checker<'n> {
                     Some(variable) => self.name(variable, span),
                 };
                 let body = self.measure(body);
-                match by {
-                    Measure::Scalar(Entry {
-                        dimension: Some(by),
-                        ..
-                    }) => body.times_power(&by, &whole(-i64::from(*order))),
-                    _ => Measure::Opaque,
-                }
+                by.dimension().map_or(Measure::Opaque, |by| {
+                    body.times_power(by, &whole(-i64::from(*order)))
+                })
             }
             ExprKind::Underbrace { body, label } => self.underbrace(body, label),
             ExprKind::Cases(cases) => {
@@ -178,16 +174,13 @@ impl<'n> Checker<'n> {
 
     /// The Dirac distribution measures the reciprocal of its argument.
     fn dirac(&mut self, arguments: &[Expr], span: Span) -> Measure {
-        match arguments {
-            [argument] => match self.measure(argument) {
-                Measure::Scalar(Entry {
-                    dimension: Some(dimension),
-                    ..
-                }) => Measure::scalar(Dimension::one().over(&dimension), span),
-                _ => Measure::Opaque,
-            },
-            _ => Measure::Opaque,
-        }
+        let [argument] = arguments else {
+            return Measure::Opaque;
+        };
+        let measure = self.measure(argument);
+        measure.dimension().map_or(Measure::Opaque, |dimension| {
+            Measure::scalar(Dimension::one().over(dimension), span)
+        })
     }
 
     pub fn sum(&mut self, measures: &[Measure]) -> Measure {
@@ -294,7 +287,7 @@ impl<'n> Checker<'n> {
                 }
             }
             (Measure::Zero, Some(exponent)) if exponent.is_positive() => Measure::Zero,
-            _ => Measure::Opaque,
+            (Measure::Matrix { .. } | Measure::Zero | Measure::Opaque, _) => Measure::Opaque,
         }
     }
 
@@ -326,7 +319,9 @@ impl<'n> Checker<'n> {
                         span,
                     })
                 }
-                other => other,
+                // The root of a matrix is none of its entries' roots.
+                Measure::Matrix { .. } | Measure::Opaque => Measure::Opaque,
+                Measure::Zero => Measure::Zero,
             },
             Function::Cosine
             | Function::Sine
@@ -341,7 +336,7 @@ impl<'n> Checker<'n> {
                 self.argument(&measure, &one);
                 match measure {
                     Measure::Matrix { .. } => Measure::Opaque,
-                    _ => one.at(span),
+                    Measure::Scalar(_) | Measure::Zero | Measure::Opaque => one.at(span),
                 }
             }
         }
@@ -360,7 +355,7 @@ impl<'n> Checker<'n> {
                                 span: entry.span,
                                 ..e
                             }),
-                            other => other,
+                            Measure::Matrix { .. } | Measure::Zero | Measure::Opaque => measure,
                         }
                     })
                     .collect()
@@ -407,10 +402,12 @@ impl<'n> Checker<'n> {
                                 dimension: Some(self.names.unification.unknown("?".into())),
                                 span,
                             },
-                            measure if measure.shape() == Some((heights[i], widths[j])) => {
-                                measure.entries()[k * widths[j] + l].clone()
+                            Measure::Scalar(_) | Measure::Matrix { .. } => {
+                                if block.shape() != Some((heights[i], widths[j])) {
+                                    return Measure::Opaque;
+                                }
+                                block.entries()[k * widths[j] + l].clone()
                             }
-                            _ => return Measure::Opaque,
                         });
                     }
                 }
@@ -445,17 +442,16 @@ impl<'n> Checker<'n> {
     fn underbrace(&mut self, body: &Expr, label: &Chain) -> Measure {
         let measure = self.measure(body);
         match (label.members.as_slice(), label.relations.as_slice()) {
-            ([member], []) => match &member.kind {
-                ExprKind::Name(name) | ExprKind::Apply { function: name, .. }
-                    if !self.is_settled(name) =>
+            ([member], []) => {
+                if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &member.kind
+                    && !self.is_settled(name)
                 {
                     self.bind(name, measure.clone());
-                }
-                _ => {
+                } else {
                     let below = self.measure(member);
                     self.expect(&measure, &below, UnitSite::Term);
                 }
-            },
+            }
             _ => self.deferred.push(label.clone()),
         }
         measure
@@ -471,8 +467,9 @@ impl<'n> Checker<'n> {
 
     /// Gives a name its units; what its uses have shown must fit.
     pub fn bind(&mut self, name: &Name, measure: Measure) {
-        if !matches!(measure, Measure::Scalar(_) | Measure::Matrix { .. }) {
-            return;
+        match measure {
+            Measure::Scalar(_) | Measure::Matrix { .. } => {}
+            Measure::Opaque | Measure::Zero => return,
         }
         if self.names.bindings.contains_key(&key(name)) {
             let inferred = self.name(name, Span::default());
@@ -493,13 +490,15 @@ impl<'n> Checker<'n> {
         let alone = arguments.len() - arguments.iter().filter(named).count() == 1;
         for argument in arguments {
             let measure = self.measure(argument);
-            let declared = match &argument.kind {
-                ExprKind::Named { name, .. } => Some(self.name(name, argument.span)),
-                _ if alone => letter
+            let declared = if let Some((name, _)) = argument.as_named_argument() {
+                Some(self.name(name, argument.span))
+            } else if alone {
+                letter
                     .as_ref()
                     .and_then(|letter| self.names.bindings.get(letter))
-                    .map(|binding| binding.measure.clone()),
-                _ => None,
+                    .map(|binding| binding.measure.clone())
+            } else {
+                None
             };
             if let Some(declared) = declared {
                 self.argument(&measure, &declared);
@@ -537,7 +536,28 @@ impl<'n> Checker<'n> {
                 let below = self.rational(denominator)?;
                 (!below.is_zero()).then_some(self.rational(numerator)? / below)
             }
-            _ => None,
+            ExprKind::Power { base, exponent } => {
+                let base = self.rational(base)?;
+                let exponent = self.rational(exponent).filter(BigRational::is_integer)?;
+                let exponent = exponent.to_integer().to_i32()?;
+                let small = exponent.abs() <= LARGEST_EXPONENT;
+                (small && !base.is_zero()).then(|| base.pow(exponent))
+            }
+            ExprKind::Underbrace { body, .. } => self.rational(body),
+            ExprKind::Name(_)
+            | ExprKind::Apply { .. }
+            | ExprKind::Named { .. }
+            | ExprKind::Call { .. }
+            | ExprKind::Transpose(_)
+            | ExprKind::Matrix { .. }
+            | ExprKind::Tuple(_)
+            | ExprKind::BigSum { .. }
+            | ExprKind::Integral { .. }
+            | ExprKind::Derivative { .. }
+            | ExprKind::Expectation(_)
+            | ExprKind::Cases(_)
+            | ExprKind::Infinity
+            | ExprKind::Constant => None,
         }
     }
 

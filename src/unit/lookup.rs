@@ -60,7 +60,11 @@ impl Checker<'_> {
             NotationKind::Means(expr) => checker.measure(&expr),
             NotationKind::Covariance(covariance) => checker.measure(&covariance.product),
             NotationKind::HurwitzMatrix(of) => checker.hurwitz(&of, span),
-            _ => Measure::Opaque,
+            NotationKind::Dirac
+            | NotationKind::CharacteristicCoefficient(_)
+            | NotationKind::Cofactor(_)
+            | NotationKind::LeadingMinor(_)
+            | NotationKind::Entry(_) => Measure::Opaque,
         }))
     }
 
@@ -161,7 +165,24 @@ impl Checker<'_> {
                     _ => Measure::Opaque,
                 }
             }
-            _ => Measure::Opaque,
+            (
+                NotationKind::CharacteristicCoefficient(_)
+                | NotationKind::Cofactor(_)
+                | NotationKind::LeadingMinor(_),
+                _,
+            ) => Measure::Opaque,
+            // These take no indices.
+            (
+                NotationKind::Identity(_)
+                | NotationKind::Zero
+                | NotationKind::Rows(_)
+                | NotationKind::Constant(_)
+                | NotationKind::Means(_)
+                | NotationKind::Covariance(_)
+                | NotationKind::HurwitzMatrix(_)
+                | NotationKind::Dirac,
+                _,
+            ) => Measure::Opaque,
         }
     }
 
@@ -190,10 +211,8 @@ impl Checker<'_> {
         let mut entries = Vec::new();
         for i in 1..=n as i64 {
             for j in 1..=n as i64 {
-                let dimension = match self.coefficient(of, 2 * i - j, span) {
-                    Measure::Scalar(entry) => entry.dimension,
-                    _ => None,
-                };
+                let coefficient = self.coefficient(of, 2 * i - j, span);
+                let dimension = coefficient.dimension().cloned();
                 entries.push(Entry { dimension, span });
             }
         }
@@ -264,7 +283,8 @@ impl Checker<'_> {
     pub(super) fn determinant(&mut self, matrix: &Measure, span: Span) -> Measure {
         match matrix {
             Measure::Scalar(_) => matrix.clone().at(span),
-            _ => match self.separate(matrix) {
+            Measure::Matrix { .. } | Measure::Zero | Measure::Opaque => match self.separate(matrix)
+            {
                 Some((rows, columns)) => {
                     Measure::scalar(product(rows.iter().chain(&columns)), span)
                 }

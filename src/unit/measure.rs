@@ -101,7 +101,15 @@ impl Measure {
                     .collect();
                 Measure::matrix(rows, transposed)
             }
-            other => other,
+            Measure::Opaque | Measure::Zero | Measure::Scalar(_) => self,
+        }
+    }
+
+    /// The dimension of a scalar; none of a literal zero and of what is no scalar or not known.
+    pub fn dimension(&self) -> Option<&Dimension> {
+        match self {
+            Measure::Scalar(entry) => entry.dimension.as_ref(),
+            Measure::Opaque | Measure::Zero | Measure::Matrix { .. } => None,
         }
     }
 }

@@ -91,7 +91,12 @@ impl<'n> Shapes<'n> {
                     self.guarded(&known_as, e)
                 }
                 NotationKind::Covariance(c) => self.guarded(&known_as, &c.product),
-                _ => (None, None),
+                NotationKind::Constant(_)
+                | NotationKind::CharacteristicCoefficient(_)
+                | NotationKind::Cofactor(_)
+                | NotationKind::LeadingMinor(_)
+                | NotationKind::Entry(_) => SCALAR,
+                NotationKind::Zero | NotationKind::Dirac => (None, None),
             };
         }
         if self.names.knows(name) {
@@ -162,10 +167,14 @@ impl<'n> Shapes<'n> {
             | ExprKind::Integral { body: inner, .. }
             | ExprKind::Derivative { body: inner, .. }
             | ExprKind::Underbrace { body: inner, .. } => self.of(inner),
-            ExprKind::Call { function, argument } => match function {
-                Function::RealPart | Function::ImaginaryPart => self.of(argument),
-                _ => SCALAR,
-            },
+            ExprKind::Call { function, argument } => {
+                let by_entries = matches!(function, Function::RealPart | Function::ImaginaryPart);
+                if by_entries {
+                    self.of(argument)
+                } else {
+                    SCALAR
+                }
+            }
             ExprKind::Cases(cases) => cases
                 .iter()
                 .map(|(e, _)| self.of(e))
@@ -217,7 +226,21 @@ impl<'n> Shapes<'n> {
                 let inner = self.of(argument);
                 self.impose(argument, inner);
             }
-            _ => {}
+            ExprKind::Cases(cases) => {
+                for (value, _) in cases {
+                    self.impose(value, shape);
+                }
+            }
+            // Known already, or without a shape to give on.
+            ExprKind::Name(_)
+            | ExprKind::Apply { .. }
+            | ExprKind::Named { .. }
+            | ExprKind::Number(_)
+            | ExprKind::Power { .. }
+            | ExprKind::Matrix { .. }
+            | ExprKind::Tuple(_)
+            | ExprKind::Infinity
+            | ExprKind::Constant => {}
         }
     }
 

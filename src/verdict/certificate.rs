@@ -487,6 +487,69 @@ mod tests {
         assert!(claim(letter(7, 1), letter(3, 1)).verify().is_err());
     }
 
+    /// x = y^2 in one case: x + 1 is y^2 + 1 there, and with y^2 = 2 it is 3.
+    #[test]
+    fn what_is_inserted_in_a_case_is_multiplied_out() {
+        let fraction = |numerator, denominator| Fraction {
+            numerator,
+            denominator,
+        };
+        let over_one = |numerator| fraction(numerator, one());
+        let and_one = |mut terms: Terms| {
+            terms.0.push((BigInt::one(), Vec::new()));
+            terms
+        };
+        let number = |n: i64| Terms(vec![(n.into(), Vec::new())]);
+        let squares = vec![(2, number(2))];
+        let case = |inserted: Fraction, of: Fraction, is: Fraction, squares: &[(usize, Terms)]| {
+            let case = Case {
+                inserted: vec![(1, inserted)],
+                of,
+                is,
+                claim: true,
+                sign: ">",
+            };
+            let steps = Steps::Cases(Cases {
+                cases: vec![case],
+                squares: squares.to_vec(),
+            });
+            let subject = Subject::default();
+            Certificate { subject, steps }.verify().is_ok()
+        };
+        let y_squared = || over_one(letter(2, 2));
+        let x_and_one = || over_one(and_one(letter(1, 1)));
+        let y_squared_and_one = || over_one(and_one(letter(2, 2)));
+        assert!(case(y_squared(), x_and_one(), y_squared_and_one(), &[]));
+        assert!(case(
+            y_squared(),
+            x_and_one(),
+            over_one(number(3)),
+            &squares
+        ));
+        // Another result, another insertion, another square, and a divisor that the case makes zero.
+        assert!(!case(y_squared(), x_and_one(), y_squared(), &[]));
+        assert!(!case(
+            over_one(letter(2, 1)),
+            x_and_one(),
+            y_squared_and_one(),
+            &[]
+        ));
+        assert!(!case(y_squared(), x_and_one(), over_one(number(3)), &[]));
+        assert!(!case(
+            y_squared(),
+            x_and_one(),
+            over_one(number(4)),
+            &squares
+        ));
+        let over_x = || fraction(one(), letter(1, 1));
+        assert!(!case(
+            over_one(Terms::default()),
+            over_x(),
+            over_one(one()),
+            &[]
+        ));
+    }
+
     #[test]
     fn a_relation_with_its_cofactor_is_multiplied_out() {
         // x^2 - y^2 = (x + y)(x - y)

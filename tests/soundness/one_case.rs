@@ -51,16 +51,13 @@ fn hypotheses_by_cases_are_not_those_of_one_case() {
     ];
     for k in 1..=8 {
         for (hypothesis, claim) in hypotheses {
-            for key in ["assume", "given"] {
-                let scale =
-                    |text: &str| format!("{k}({})", text.replace(" = ", &format!(") = {k}(")));
-                let claim = if claim.contains('<') {
-                    claim.to_string()
-                } else {
-                    scale(claim)
-                };
-                claims.push(Claim::under(claim, key, &[hypothesis.into()], False));
-            }
+            let scale = |text: &str| format!("{k}({})", text.replace(" = ", &format!(") = {k}(")));
+            let claim = if claim.contains('<') {
+                claim.to_string()
+            } else {
+                scale(claim)
+            };
+            claims.extend(Claim::assumed_and_given(&claim, &[hypothesis], False));
         }
     }
     undecided(CASES, &claims);
@@ -136,10 +133,8 @@ fn hypotheses_do_not_know_the_motion() {
             (r"p = t", r"j\dot p = j"),
             (r"p = a", r"j\ddot p = 0"),
         ] {
-            for key in ["assume", "given"] {
-                let claim = claim.replace('j', &j.to_string());
-                claims.push(Claim::under(claim, key, &[hypothesis.into()], Open));
-            }
+            let claim = claim.replace('j', &j.to_string());
+            claims.extend(Claim::assumed_and_given(&claim, &[hypothesis], Open));
         }
     }
     undecided(CASES, &claims);

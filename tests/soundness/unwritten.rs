@@ -31,6 +31,12 @@ impl Claim {
         Claim::under(claim, "assume", &[], truth)
     }
 
+    /// The claim under the same hypotheses twice, as assumed and as given.
+    pub fn assumed_and_given(claim: &str, hypotheses: &[&str], truth: Truth) -> [Self; 2] {
+        let hypotheses: Vec<String> = hypotheses.iter().map(|h| h.to_string()).collect();
+        ["assume", "given"].map(|key| Claim::under(claim, key, &hypotheses, truth))
+    }
+
     pub fn under(
         claim: impl Into<String>,
         key: &'static str,
@@ -185,10 +191,7 @@ fn hypotheses_on_processes_hold_at_all_times() {
         (r"\dot y = \dot z", &["y^3 = z^3"], True),
     ];
     for (claim, hypotheses, truth) in more {
-        let hypotheses: Vec<String> = hypotheses.iter().map(|h| h.to_string()).collect();
-        for key in ["assume", "given"] {
-            claims.push(Claim::under(claim, key, &hypotheses, truth));
-        }
+        claims.extend(Claim::assumed_and_given(claim, hypotheses, truth));
     }
     let open = undecided(PROCESSES, &claims);
     let most = 3 * with_truth(&claims) / 20;

@@ -87,15 +87,6 @@ pub fn subject(side: &Expr) -> Option<&Name> {
     }
 }
 
-/// Whether a name occurs, with the same dots and index.
-pub fn mentions(expr: &Expr, name: &Name) -> bool {
-    let mut found = false;
-    visit(expr, &mut |e| {
-        found |= super::name_of(e) == Some(name);
-    });
-    found
-}
-
 /// The names in an expression, as written, and how often each occurs.
 pub fn names(expr: &Expr) -> BTreeMap<String, usize> {
     let mut found = BTreeMap::new();

@@ -13,7 +13,7 @@ use super::sites::Trial;
 use crate::check::edit::{form, name_of, written};
 use crate::domain::{Domain, PrimeField};
 use crate::evaluate::Value;
-use crate::expr::walk::{children, visit};
+use crate::expr::walk::{children, mentions, visit};
 use crate::expr::{Display, Expr, ExprKind, Name};
 use crate::latex;
 use crate::model::Model;
@@ -81,9 +81,8 @@ pub(super) fn emptied(
     }
     for (k, side) in after.iter().enumerate() {
         let other = 1 - k;
-        let borrowed = written::subject(side).is_some_and(|name| {
-            written::mentions(after[other], name) && !written::mentions(before[other], name)
-        });
+        let borrowed = written::subject(side)
+            .is_some_and(|name| mentions(after[other], name) && !mentions(before[other], name));
         if borrowed {
             return Some(Emptied::Borrowed);
         }
