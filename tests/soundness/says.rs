@@ -491,8 +491,10 @@ fn family(seed: u64, candidates: usize, make: impl Fn(&mut Random, &mut Claims))
 /// Names that are defined by others: a definition said again mends nothing.
 #[test]
 fn definitions_are_not_said_again() {
-    let [all, decided, _] = family(3, 4_000, |random, claims| {
-        for _ in 0..12 {
+    let [all, decided, _] = family(3, 1_500, |random, claims| {
+        // Only once: a slip in the definition would explain several.
+        claims.add("v = x", &[]);
+        for _ in 0..9 {
             let p = random.from(2, 9);
             let q = p + random.from(1, 5);
             claims.add(&format!("x = {p}"), &[]);
@@ -501,7 +503,6 @@ fn definitions_are_not_said_again() {
             claims.add(&format!("{p}w = x"), &[]);
             claims.add(&format!("w = {p}"), &[]);
             claims.add("y = x", &[]);
-            claims.add("v = x", &[]);
             claims.add(&format!("k = {p}a"), &[]);
             claims.add(&format!("u = {p}a"), &[]);
             claims.add(&format!("{p}x = {q}y"), &[]);
@@ -518,8 +519,8 @@ fn definitions_are_not_said_again() {
 /// A function's name stands for no number, and a function of numbers alone is about nothing.
 #[test]
 fn names_of_functions_are_no_numbers() {
-    let [all, decided, _] = family(5, 2_000, |random, claims| {
-        for _ in 0..10 {
+    let [all, decided, _] = family(5, 700, |random, claims| {
+        for _ in 0..7 {
             let p = random.from(2, 6);
             let q = random.from(3, 8);
             claims.add("h(x^2) = h(x)", &[]);
@@ -542,8 +543,8 @@ fn names_of_functions_are_no_numbers() {
 /// What is true of integers and of functions: each edit is needed, and something is said.
 #[test]
 fn corrections_with_functions_edit_no_more_than_they_must() {
-    let [all, decided, mended] = family(7, 1_500, |random, claims| {
-        for _ in 0..8 {
+    let [all, decided, mended] = family(7, 600, |random, claims| {
+        for _ in 0..4 {
             let odd = 2 * random.from(0, 3) + 1;
             let p = random.from(2, 6);
             let n = match odd {
@@ -598,7 +599,7 @@ fn words(claims: &[String]) -> Vec<VerdictWord> {
 fn verdicts_do_not_depend_on_what_stands_before() {
     let mut random = Random(9);
     let mut claims = Vec::new();
-    for _ in 0..6 {
+    for _ in 0..4 {
         let p = random.from(2, 9);
         let q = random.from(2, 9);
         claims.push(format!(
@@ -612,7 +613,7 @@ fn verdicts_do_not_depend_on_what_stands_before() {
         claims.push(format!(r"\sqrt{{{p}a + b}} = \sqrt{{{p}a}} + \sqrt b"));
         claims.push(r"\ln u < 0".into());
         claims.push(r"e^{-u} > 1 - u".into());
-        claims.push(format!(r"\sin({p}xy)^2 + \cos({p}xy)^2 = 1"));
+        claims.push(format!(r"\sin^2({p}xy) + \cos^2({p}xy) = 1"));
     }
     let forward = words(&claims);
     let reversed: Vec<String> = claims.iter().rev().cloned().collect();

@@ -29,7 +29,9 @@ pub(super) fn says_a_definition_again(model: &Model, sides: &[&Expr; 2]) -> bool
     let (Some(left), Some(right)) = (left, right) else {
         return false;
     };
-    changed && form::same_form(&left, &right)
+    // What stacks vectors that are defined says in one equation what several say: no two of them are compared.
+    let scalar = !form::is_ordered(&left) && !form::is_ordered(&right);
+    changed && scalar && form::same_form(&left, &right)
 }
 
 /// Puts what names are defined as in their places; whether there was room.
