@@ -104,7 +104,11 @@ impl Context {
             applied: model
                 .definitions
                 .iter()
-                .filter(|d| !d.arguments.is_empty())
+                // What moves is written with its time or without.
+                .filter(|d| {
+                    let moves = d.arguments.iter().any(|a| model.is_time(a));
+                    !d.arguments.is_empty() && d.name.dots == 0 && !moves
+                })
                 .map(|d| d.name.undotted())
                 .collect(),
         }
