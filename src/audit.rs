@@ -101,7 +101,7 @@ impl Audit {
     ) -> Result<Audit, Rejection> {
         with_deep_stack(|| {
             let whole = || Audit::compute(document, options, tell);
-            allowance::within(check::bounded::WHOLE, whole).unwrap_or_else(|exhausted| {
+            allowance::patiently(check::bounded::WHOLE, whole).unwrap_or_else(|exhausted| {
                 let message = format!(
                     "the document as a whole cannot be checked: {}",
                     check::bounded::words(exhausted)

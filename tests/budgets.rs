@@ -5,8 +5,10 @@
 mod common;
 
 use common::audit;
-use rederive::check::Options;
-use rederive::document::VerdictWord;
+use ratpoly::allowance::{self, Allowance};
+use rederive::check::{self, Options};
+use rederive::document::{Document, VerdictWord};
+use rederive::model::Model;
 use rederive::verdict::{Ended, Verdict};
 
 /// A document with these letters, and a last claim that must hold whatever the others cost.
@@ -227,4 +229,39 @@ fn a_search_among_dear_candidates_ends_with_what_it_tried() {
     assert_eq!(found.ended, Some(Ended::Work));
     assert!(found.tried > 0 && found.tried < found.of, "{found:?}");
     assert_eq!(searched(3), Some(found));
+}
+
+/// The steps that the check of a text takes, searches for corrections among them.
+fn steps(text: &str) -> u64 {
+    const ALL: u64 = u64::MAX / 2;
+    let count = || {
+        let document = Document::parse("test.md", text).expect("a document");
+        let model = Model::build(&document).expect("a model");
+        let allowed = Allowance {
+            steps: ALL,
+            bytes: usize::MAX,
+        };
+        let spent = allowance::within(allowed, || {
+            let verdicts = check::check(&model, Options::default());
+            assert!(verdicts.is_ok());
+            ALL - allowance::steps_left()
+        });
+        spent.expect("the document has its own limits")
+    };
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(256 << 20);
+        let thread = thread.spawn_scoped(scope, count);
+        thread.expect("a thread").join().expect("a count")
+    })
+}
+
+#[test]
+fn orders_of_functions_take_a_part_of_what_a_link_may() {
+    for f in ["\\sinh", "\\tanh", "e^"] {
+        let claim = format!("{f}{{a}} > {f}{{b}}");
+        let text = with_constants(&letters("a b"), &[("claim", "a > b".into())])
+            + &format!("```toml 0\nassume = ['{claim}']\n```\n");
+        let spent = steps(&text);
+        assert!(spent <= 100_000_000, "{claim}: {spent}");
+    }
 }

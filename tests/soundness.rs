@@ -23,6 +23,8 @@ mod generated;
 mod hypotheses;
 #[path = "soundness/limits.rs"]
 mod limits;
+#[path = "soundness/monotone.rs"]
+mod monotone;
 #[path = "soundness/one_case.rs"]
 mod one_case;
 #[path = "soundness/readings.rs"]

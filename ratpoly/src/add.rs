@@ -81,6 +81,7 @@ impl Polynomial {
             Terms::One(_) => merge::<Packed<1>, SUBTRACT>(&mut self.terms, &other.terms),
             Terms::Two(_) => merge::<Packed<2>, SUBTRACT>(&mut self.terms, &other.terms),
             Terms::Four(_) => merge::<Packed<4>, SUBTRACT>(&mut self.terms, &other.terms),
+            Terms::Eight(_) => merge::<Packed<8>, SUBTRACT>(&mut self.terms, &other.terms),
             Terms::Wide(_) => false,
         }
     }

@@ -33,6 +33,8 @@ pub struct Allowance {
 #[derive(Clone, Copy)]
 struct Left {
     in_force: bool,
+    /// Whether the work goes on where somebody asks all to stop: it puts together what its parts have found.
+    patient: bool,
     steps: u64,
     bytes: usize,
     /// What the polynomials of the thread take together when the work begins.
@@ -44,16 +46,34 @@ struct Left {
 const MADE: usize = 2;
 const ALL: usize = 3;
 
+/// The steps of whoever puts together what is finished once somebody asked to stop.
+const LAST: u64 = 2_000_000;
+
+impl Left {
+    /// What is left once a part has ended.
+    fn after<T>(self, part: &Result<T, Exhausted>) -> Self {
+        match part {
+            Err(Exhausted::Interrupted) if self.in_force => Left {
+                patient: true,
+                steps: self.steps.min(LAST),
+                ..self
+            },
+            Err(Exhausted::Interrupted | Exhausted::Steps | Exhausted::Memory) | Ok(_) => self,
+        }
+    }
+}
+
 thread_local! {
     static LEFT: Cell<Left> = const {
-        Cell::new(Left { in_force: false, steps: u64::MAX, bytes: usize::MAX, held: 0 })
+        Cell::new(Left { in_force: false, patient: false, steps: u64::MAX, bytes: usize::MAX, held: 0 })
     };
     static HELD: Cell<usize> = const { Cell::new(0) };
 }
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Asks whatever runs under an allowance, on any thread, to end.
+/// Asks whatever runs under an allowance, on any thread, to end: the innermost work on each thread ends at once;
+/// what this was a part of has some steps left to put together what is finished, and no other work begins.
 pub fn interrupt() {
     INTERRUPTED.store(true, Ordering::Relaxed);
 }
@@ -63,22 +83,39 @@ pub fn interrupt() {
 /// # Errors
 /// What ran out. What `work` was changing is then in the middle of it: the caller puts it right.
 pub fn within<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
+    run(allowed, false, work)
+}
+
+/// The same for work that puts together what its parts find, each [`within`] an allowance of its own: where
+/// somebody asks all to stop, these end, and it does not.
+///
+/// # Errors
+/// As [`within`].
+pub fn patiently<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
+    run(allowed, true, work)
+}
+
+fn run<T>(allowed: Allowance, patient: bool, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
     let outer = LEFT.replace(Left {
         in_force: true,
+        patient,
         steps: allowed.steps,
         bytes: allowed.bytes,
         held: HELD.get(),
     });
     let result = catch_unwind(AssertUnwindSafe(work));
     let spent = allowed.steps - LEFT.get().steps;
-    LEFT.set(Left {
+    let outer = Left {
         steps: outer.steps.saturating_sub(spent),
         ..outer
-    });
-    result.map_err(|payload| match payload.downcast::<Exhausted>() {
+    };
+    LEFT.set(outer);
+    let result = result.map_err(|payload| match payload.downcast::<Exhausted>() {
         Ok(exhausted) => *exhausted,
         Err(panic) => resume_unwind(panic),
-    })
+    });
+    LEFT.set(outer.after(&result));
+    result
 }
 
 /// The same, but what is spent counts for no other: the caller counts it in another way.
@@ -88,7 +125,7 @@ pub fn within<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exha
 pub fn apart<T>(allowed: Allowance, work: impl FnOnce() -> T) -> Result<T, Exhausted> {
     let outer = LEFT.get();
     let result = within(allowed, work);
-    LEFT.set(outer);
+    LEFT.set(outer.after(&result));
     result
 }
 
@@ -112,14 +149,17 @@ pub fn spend(steps: u64) {
     if !left.in_force {
         return;
     }
-    if INTERRUPTED.load(Ordering::Relaxed) {
+    if INTERRUPTED.load(Ordering::Relaxed) && !left.patient {
         stop(Exhausted::Interrupted);
     }
     match left.steps.checked_sub(steps) {
         Some(steps) => LEFT.set(Left { steps, ..left }),
         None => {
             LEFT.set(Left { steps: 0, ..left });
-            stop(Exhausted::Steps)
+            stop(match INTERRUPTED.load(Ordering::Relaxed) {
+                true => Exhausted::Interrupted,
+                false => Exhausted::Steps,
+            })
         }
     }
 }

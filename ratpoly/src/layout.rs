@@ -11,7 +11,7 @@
 //!
 //! A field has a guard bit on top that is zero in every stored monomial: a sum that sets it has
 //! overflowed, and a difference that borrows shows there. Fields do not cross words, so that words of
-//! one monomial are added without carries. Four layouts exist for a ring: 1, 2, 4 words with fields of
+//! one monomial are added without carries. Five layouts exist for a ring: 1, 2, 4, 8 words with fields of
 //! equal width, and one field a word for whatever does not fit.
 
 use crate::ring::Order;
@@ -22,9 +22,9 @@ const MIN_BITS: u32 = 4;
 const MAX_BITS: u32 = 33;
 
 /// The number of layouts of a ring.
-pub(crate) const KINDS: usize = 4;
+pub(crate) const KINDS: usize = 5;
 /// The words of a monomial in the packed layouts.
-const WORDS: [usize; KINDS - 1] = [1, 2, 4];
+const WORDS: [usize; KINDS - 1] = [1, 2, 4, 8];
 
 /// One way to lay the exponents of a ring into words.
 #[derive(Debug, Clone)]
@@ -57,7 +57,7 @@ impl Layout {
                 guard,
             }
         };
-        let mut layouts = [None, None, None, Some(layout(64, 1))];
+        let mut layouts = [None, None, None, None, Some(layout(64, 1))];
         let mut widest = MIN_BITS - 1;
         for (slot, words) in layouts.iter_mut().zip(WORDS) {
             let per_word = fields.div_ceil(words);

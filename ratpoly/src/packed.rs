@@ -1,4 +1,4 @@
-//! Packed monomials: rows of fields in one, two or four words, or one field a word. What the fields
+//! Packed monomials: rows of fields in one, two, four or eight words, or one field a word. What the fields
 //! mean is the business of [`Layout`].
 
 use crate::layout::Layout;
@@ -12,6 +12,12 @@ use std::hash::Hash;
 pub(crate) trait PackedMonomial: Clone + Ord + Hash + Debug + Send + Sync + 'static {
     /// The index of the layout among those of a ring.
     const KIND: usize;
+
+    /// How many bytes it takes outside of itself.
+    #[inline]
+    fn bytes_apart(&self) -> usize {
+        0
+    }
 
     /// The layout of this type in a ring that has one.
     fn layout(ring: Ring) -> &'static Layout {
@@ -224,13 +230,19 @@ macro_rules! packed {
 packed!(1 0 One);
 packed!(2 1 Two);
 packed!(4 2 Four);
+packed!(8 3 Eight);
 
 /// One field a word, for exponents that fit no packing.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Wide(Box<[u64]>);
 
 impl PackedMonomial for Wide {
-    const KIND: usize = 3;
+    const KIND: usize = 4;
+
+    fn bytes_apart(&self) -> usize {
+        // The allocator takes some besides.
+        16 + size_of_val(&*self.0)
+    }
 
     fn wrap(list: TermList<Self>) -> Terms {
         Terms::Wide(list)
@@ -368,7 +380,7 @@ mod tests {
                     let exponents: Vec<u32> = (0..variables)
                         .map(|_| random(below) * random(2) * random(2))
                         .collect();
-                    let [one, two, four, wide] = &layouts;
+                    let [one, two, four, eight, wide] = &layouts;
                     if let Some(layout) = one {
                         round_trip::<Packed<1>>(layout, &exponents);
                     }
@@ -377,6 +389,9 @@ mod tests {
                     }
                     if let Some(layout) = four {
                         round_trip::<Packed<4>>(layout, &exponents);
+                    }
+                    if let Some(layout) = eight {
+                        round_trip::<Packed<8>>(layout, &exponents);
                     }
                     if let Some(layout) = wide {
                         round_trip::<Wide>(layout, &exponents);

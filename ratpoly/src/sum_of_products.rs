@@ -119,6 +119,7 @@ fn fuse_in_kind(ring: Ring, kind: usize, products: &[SignedProduct<'_>]) -> Fuse
         0 => fuse::<Packed<1>>(ring, products),
         1 => fuse::<Packed<2>>(ring, products),
         2 => fuse::<Packed<4>>(ring, products),
+        3 => fuse::<Packed<8>>(ring, products),
         _ => Fused::Unsuitable,
     }
 }

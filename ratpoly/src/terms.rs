@@ -1,4 +1,4 @@
-//! The representation of a polynomial: a vector of terms, in one of four monomial layouts and one of
+//! The representation of a polynomial: a vector of terms, in one of five monomial layouts and one of
 //! three coefficient widths.
 //!
 //! Invariants: terms in strictly descending order, no zero coefficient, the narrowest layout that holds
@@ -37,6 +37,7 @@ pub(crate) enum Terms {
     One(TermList<Packed<1>>),
     Two(TermList<Packed<2>>),
     Four(TermList<Packed<4>>),
+    Eight(TermList<Packed<8>>),
     Wide(TermList<Wide>),
 }
 
@@ -58,6 +59,7 @@ macro_rules! each_layout {
             $crate::terms::Terms::One($list) => $body,
             $crate::terms::Terms::Two($list) => $body,
             $crate::terms::Terms::Four($list) => $body,
+            $crate::terms::Terms::Eight($list) => $body,
             $crate::terms::Terms::Wide($list) => $body,
         }
     };
@@ -73,6 +75,7 @@ macro_rules! same_layout {
             (Terms::One($x), Terms::One($y)) => $body,
             (Terms::Two($x), Terms::Two($y)) => $body,
             (Terms::Four($x), Terms::Four($y)) => $body,
+            (Terms::Eight($x), Terms::Eight($y)) => $body,
             (Terms::Wide($x), Terms::Wide($y)) => $body,
             _ => unreachable!("aligned lists have one layout"),
         }
@@ -104,7 +107,10 @@ impl<M: PackedMonomial> TermList<M> {
 
     /// About how many bytes they take.
     pub fn bytes(&self) -> usize {
-        let inline = each_width!(self, terms => size_of_val(terms.as_slice()));
+        let inline = each_width!(self, terms => {
+            let apart = terms.first().map_or(0, |t| t.monomial.bytes_apart());
+            size_of_val(terms.as_slice()) + terms.len() * apart
+        });
         let long = match self {
             TermList::Word(_) | TermList::Double(_) => 0,
             TermList::Big(terms) => {
@@ -349,6 +355,7 @@ impl<M: PackedMonomial> TermList<M> {
             0 => Terms::One(self.convert(from, to)),
             1 => Terms::Two(self.convert(from, to)),
             2 => Terms::Four(self.convert(from, to)),
+            3 => Terms::Eight(self.convert(from, to)),
             _ => Terms::Wide(self.convert(from, to)),
         }
     }
@@ -406,6 +413,7 @@ impl Terms {
             0 => Terms::One(TermList::new()),
             1 => Terms::Two(TermList::new()),
             2 => Terms::Four(TermList::new()),
+            3 => Terms::Eight(TermList::new()),
             _ => Terms::Wide(TermList::new()),
         }
     }
@@ -417,7 +425,8 @@ impl Terms {
             Terms::One(_) => 0,
             Terms::Two(_) => 1,
             Terms::Four(_) => 2,
-            Terms::Wide(_) => 3,
+            Terms::Eight(_) => 3,
+            Terms::Wide(_) => 4,
         }
     }
 

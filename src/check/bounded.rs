@@ -30,13 +30,15 @@ pub(super) const BYTES: usize = 32 << 20;
 pub(crate) const WHOLE: Allowance = Allowance {
     steps: 20 * DOCUMENT_STEPS,
     // What its links keep is its own.
-    bytes: 4 * BYTES,
+    bytes: 2 * BYTES,
 };
 
 /// The steps that a document has left.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pool {
     steps: u64,
+    /// Whether they were fewer than a stage may take when the last computation began.
+    scarce: bool,
     /// Whether a computation of a link is under way, of which others are parts.
     in_use: bool,
 }
@@ -45,6 +47,7 @@ impl Default for Pool {
     fn default() -> Self {
         Pool {
             steps: DOCUMENT_STEPS,
+            scarce: false,
             in_use: false,
         }
     }
@@ -70,6 +73,17 @@ pub(crate) fn words(exhausted: Exhausted) -> &'static str {
 }
 
 impl Checker<'_> {
+    /// What was too large, in words: where the links before have left few steps of the document's, it may be
+    /// that alone.
+    pub(super) fn words_of_exhaustion(&self, exhausted: Exhausted) -> &'static str {
+        match exhausted {
+            Exhausted::Steps if self.pool.scarce => {
+                "too many steps of the exact engine for what other links or sizes have left of the document's"
+            }
+            Exhausted::Steps | Exhausted::Memory | Exhausted::Interrupted => words(exhausted),
+        }
+    }
+
     /// The steps that a search may take of what the options allow: it ends by itself before the
     /// allowance of its stage does.
     pub(super) fn work_of_a_search(&self) -> u64 {
@@ -118,6 +132,9 @@ impl Checker<'_> {
             return Err(Exhausted::Interrupted);
         }
         let nested = std::mem::replace(&mut self.pool.in_use, true);
+        if !nested {
+            self.pool.scarce = self.pool.steps < STEPS;
+        }
         let mut allowed = self.allowance();
         let whole = allowance::steps_left();
         allowed.steps = (allowed.steps / 5 * fifths).min(whole);

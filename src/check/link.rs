@@ -1,6 +1,5 @@
 //! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
 
-use super::bounded;
 use super::challenge::is_decided_by_points;
 use super::hypotheses::possible::Signs;
 use super::identity::{Decision, Insertion};
@@ -126,7 +125,7 @@ impl Checker<'_> {
     /// not try it again.
     fn once(&mut self, nodes: Vec<Node>, decide: impl FnOnce(&mut Self) -> Verdict) -> Verdict {
         self.bounded(decide).unwrap_or_else(|exhausted| {
-            let what = bounded::words(exhausted);
+            let what = self.words_of_exhaustion(exhausted);
             let kind = FailureKind::Exhausted { what: what.into() };
             if exhausted != Exhausted::Interrupted {
                 for node in nodes {
@@ -144,7 +143,7 @@ impl Checker<'_> {
     pub(super) fn exactly(&mut self, decide: impl FnOnce(&mut Self) -> Verdict) -> Verdict {
         self.bounded(decide)
             .unwrap_or_else(|exhausted| Verdict::Undecided {
-                reason: bounded::words(exhausted).into(),
+                reason: self.words_of_exhaustion(exhausted).into(),
             })
     }
 

@@ -259,7 +259,7 @@ impl<'m> Checker<'m> {
         let supposed = match supposed {
             Ok(supposed) => supposed,
             Err(exhausted) => {
-                return self.settle_links(equation, Some(bounded::words(exhausted)));
+                return self.settle_links(equation, Some(self.words_of_exhaustion(exhausted)));
             }
         };
         match supposed {
@@ -311,7 +311,7 @@ impl<'m> Checker<'m> {
                 (verdict, conditions)
             }
             Err(exhausted) => {
-                let reason = bounded::words(exhausted).into();
+                let reason = self.words_of_exhaustion(exhausted).into();
                 (Verdict::Undecided { reason }, Vec::new())
             }
         };

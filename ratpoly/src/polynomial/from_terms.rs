@@ -25,6 +25,7 @@ impl Polynomial {
             0 => single::<Packed<1>>(ring, value),
             1 => single::<Packed<2>>(ring, value),
             2 => single::<Packed<4>>(ring, value),
+            3 => single::<Packed<8>>(ring, value),
             _ => single::<Wide>(ring, value),
         };
         Polynomial::of(ring, terms)
@@ -45,6 +46,7 @@ impl Polynomial {
             0 => single(Packed::<1>::pack(layout, exponents), &value, ring),
             1 => single(Packed::<2>::pack(layout, exponents), &value, ring),
             2 => single(Packed::<4>::pack(layout, exponents), &value, ring),
+            3 => single(Packed::<8>::pack(layout, exponents), &value, ring),
             _ => single(Wide::pack(layout, exponents), &value, ring),
         });
         Polynomial::of(ring, terms.expect("the last layout holds all exponents"))
@@ -84,6 +86,7 @@ impl Polynomial {
                 0 => collect_rows(ring, layout, rows, &coefficients).map(Terms::One),
                 1 => collect_rows(ring, layout, rows, &coefficients).map(Terms::Two),
                 2 => collect_rows(ring, layout, rows, &coefficients).map(Terms::Four),
+                3 => collect_rows(ring, layout, rows, &coefficients).map(Terms::Eight),
                 _ => collect_rows(ring, layout, rows, &coefficients).map(Terms::Wide),
             };
             if let Some(terms) = terms {

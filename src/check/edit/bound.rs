@@ -10,7 +10,7 @@ use crate::verdict::EditClass;
 
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let mut found = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         measure(site, &mut found);
         limits(site, &mut found);
         range(site, &mut found);

@@ -9,7 +9,7 @@ use crate::verdict::EditClass;
 
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let mut found = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         if site.is_count() {
             continue;
         }

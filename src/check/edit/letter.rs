@@ -4,7 +4,6 @@
 use super::build::number;
 use super::{Kind, ROOM, Replacement, Scene, Site};
 use crate::expr::{Expr, ExprKind, Function, Name};
-use crate::progress::interrupted;
 use crate::verdict::EditClass;
 use num_traits::Zero;
 
@@ -34,9 +33,9 @@ pub(super) fn with_name(expr: &Expr, name: Name) -> Expr {
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let pool = pool(scene);
     let mut found = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         // Each takes room: those beyond are not looked at.
-        if found.len() > ROOM || interrupted() {
+        if found.len() > ROOM {
             break;
         }
         match &site.expr.kind {
@@ -85,7 +84,7 @@ fn pool<'a>(scene: &Scene<'a>) -> Vec<Candidate<'a>> {
             });
         }
     };
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         if let Some(name) = name_of(site.expr) {
             add(name, true);
         }

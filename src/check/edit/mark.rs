@@ -26,7 +26,7 @@ fn dots(scene: &Scene<'_>) -> Vec<Replacement> {
         .map(Name::undotted)
         .collect();
     let mut found = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         let Some(name) = name_of(site.expr) else {
             continue;
         };

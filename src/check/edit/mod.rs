@@ -69,6 +69,13 @@ pub(super) struct Scene<'a> {
     pub context: &'a Context,
 }
 
+impl<'a> Scene<'a> {
+    /// The sites, until somebody asks to stop.
+    fn sites_in_time(&self) -> impl Iterator<Item = &Site<'a>> {
+        self.sites.iter().take_while(|_| !interrupted())
+    }
+}
+
 /// A class: its edits of an equation.
 type Class = fn(&Scene<'_>) -> Vec<Replacement>;
 

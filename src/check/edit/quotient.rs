@@ -7,7 +7,7 @@ use crate::verdict::EditClass;
 
 pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let mut found = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         let span = site.expr.span;
         let mut edit = |to, rare| {
             found.push(Replacement::new(site, EditClass::Inversion, to).rarer(rare));

@@ -5,7 +5,7 @@
 use super::build::{factor, factors, number, product, quotient, sum, terms};
 use super::literal::left_out;
 use super::mark::may_be_matrix;
-use super::{Change, Kind, LONG, Replacement, Scene, Site, name_of};
+use super::{Change, Kind, LONG, ROOM, Replacement, Scene, Site, name_of};
 use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind, QuotientStyle, Sign};
 use crate::verdict::EditClass;
@@ -21,7 +21,10 @@ pub(super) fn edits(scene: &Scene<'_>) -> Vec<Replacement> {
     let (letters, terms) = (letters(scene), pool(scene));
     let matrices = matrices(scene);
     let mut found = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
+        if found.len() > ROOM {
+            break;
+        }
         dropped(scene, site, &mut found);
         with_factors(site, &letters, &mut found);
         with_matrices(site, &matrices, &mut found);
@@ -93,7 +96,7 @@ fn dropped(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
 /// The scalar letters of the equation.
 fn letters(scene: &Scene<'_>) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         let Some(name) = name_of(site.expr) else {
             continue;
         };
@@ -156,7 +159,7 @@ fn with_factors(site: &Site<'_>, letters: &[Expr], found: &mut Vec<Replacement>)
 /// The matrices of the equation by their letters, and transposed.
 fn matrices(scene: &Scene<'_>) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         let ExprKind::Name(name) = &site.expr.kind else {
             continue;
         };
@@ -235,7 +238,7 @@ fn pool(scene: &Scene<'_>) -> Vec<Expr> {
             found.push(expr.clone());
         }
     };
-    for site in &scene.sites {
+    for site in scene.sites_in_time() {
         let whole = matches!(site.parent.map(|p| &p.kind), Some(ExprKind::Sum(_)));
         if whole && !matches!(site.expr.kind, ExprKind::Sum(_)) {
             add(site.expr);

@@ -19,7 +19,6 @@ mod sign;
 
 use super::Checker;
 use super::admissible::Admissible;
-use super::bounded;
 use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Origin, Value};
 use crate::expr::walk::visit;
@@ -138,7 +137,9 @@ impl Checker<'_> {
                 let found = match found {
                     Ok(Ok(found)) => found,
                     Ok(Err(failure)) => Found::undecided(self.reason_of(&failure)),
-                    Err(exhausted) => Found::undecided(bounded::words(exhausted).to_string()),
+                    Err(exhausted) => {
+                        Found::undecided(self.words_of_exhaustion(exhausted).to_string())
+                    }
                 };
                 debug_assert!(found.signs.iter().all(SignCertificate::verify));
                 outcomes.push(StatementOutcome {
