@@ -12,7 +12,7 @@ use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind, Relation};
 use crate::model::links::Link;
 use crate::model::names::Resolved;
-use crate::model::{Hypothesis, Letter};
+use crate::model::{DefinitionKind, Hypothesis, Letter};
 use crate::verdict::Positivity;
 use ratpoly::RationalFunction;
 use std::collections::BTreeSet;
@@ -43,8 +43,8 @@ impl Checker<'_> {
             {
                 Verdict::Undecided {
                     reason: "false at points of which it is not known whether they are admitted: \
-                             only proofs use what hypotheses say of rates, and that a \
-                             covariance is one"
+                             only proofs use what hypotheses say of the time and of \
+                             rates, and that a covariance is one"
                         .into(),
                 }
             }
@@ -62,7 +62,102 @@ impl Checker<'_> {
                 || self.hypotheses_of(equation).next().is_some()
                 || sides.any(|side| self.has_corners(side))
         };
-        self.has_moments(equation, link) && bounded() || self.ties_rates(equation, link)
+        self.has_moments(equation, link) && bounded()
+            || self.ties_rates(equation, link)
+            || self.is_timed(equation, true)
+            || self.starts_somewhere(equation, link)
+    }
+
+    /// Whether a process stands behind a link or its hypotheses of which the document says where it starts: where it
+    /// is later follows from its motion, and a point knows nothing of that.
+    fn starts_somewhere(&self, equation: usize, link: &Link) -> bool {
+        let model = self.model;
+        let started: BTreeSet<usize> = model
+            .definitions
+            .iter()
+            .filter(|d| matches!(d.kind, DefinitionKind::ValueAt(_)))
+            .filter_map(|d| match model.resolve(&d.name.undotted(), &|_| false) {
+                Ok(Resolved::Letter { symbol, .. }) => Some(symbol),
+                Ok(
+                    Resolved::Node { .. }
+                    | Resolved::Bound(_)
+                    | Resolved::Primed { .. }
+                    | Resolved::Indexed { .. },
+                )
+                | Err(_) => None,
+            })
+            .collect();
+        if started.is_empty() {
+            return false;
+        }
+        let display = |e: usize| self.exact.display(e);
+        let own = self.exact.display(equation);
+        let sides = [link.left, link.right]
+            .into_iter()
+            .filter_map(|p| p.find(own));
+        let supposed = self
+            .hypotheses_of(equation)
+            .flat_map(|h| [&h.left, &h.right]);
+        let mut found = false;
+        for side in sides.chain(supposed) {
+            model.visit_behind(side, &display, &mut |e| {
+                let name = match &e.kind {
+                    ExprKind::Name(name) => name,
+                    ExprKind::Apply {
+                        function,
+                        arguments,
+                    } if arguments.iter().any(|a| a.as_number().is_none()) => function,
+                    _ => return,
+                };
+                if let Ok(Resolved::Letter { symbol, .. }) =
+                    model.resolve(&name.undotted(), &|_| false)
+                {
+                    found |= started.contains(&symbol);
+                }
+            });
+        }
+        found
+    }
+
+    /// Whether an equation among the hypotheses has a time behind it and no process; or only whether one may be meant
+    /// at all times as well as at a moment: x t = y t says x = y, or t = 0. That \omega t = \pi/2 with \omega > 0
+    /// can be meant at a moment only.
+    pub(super) fn is_timed(&self, equation: usize, perhaps_always: bool) -> bool {
+        let model = self.model;
+        let stated: Vec<&Hypothesis> = self.hypotheses_of(equation).collect();
+        let world = evaluate::symbolic(model).in_instance(self.instance);
+        let world = world.corrected_as(self.exact.world()).inserting();
+        let mut exact = world.evaluator(model.field());
+        let is_time = |letter: &usize| match model.letters[*letter] {
+            Letter::Symbol { symbol, order: 0 } => {
+                !self.is_process(symbol) && model.is_time(&model.symbols[symbol].name)
+            }
+            Letter::Symbol { .. } | Letter::Abbreviation { .. } | Letter::Function { .. } => false,
+        };
+        let is_rate = |letter: &usize| match model.letters[*letter] {
+            Letter::Symbol { symbol, .. } => self.is_process(symbol),
+            Letter::Abbreviation { .. } | Letter::Function { .. } => false,
+        };
+        stated
+            .into_iter()
+            .filter(|h| h.relation == Relation::Equal)
+            .any(|h| {
+                let Ok(Value::Scalar(value)) = exact.expression_without_cases(&h.difference())
+                else {
+                    return false;
+                };
+                let behind = exact.field.letters_behind(&value);
+                if !behind.iter().any(is_time) || behind.iter().any(is_rate) {
+                    return false;
+                }
+                if !perhaps_always {
+                    return true;
+                }
+                match exact.differentiate(Value::Scalar(value), 1, h.span) {
+                    Ok(Value::Scalar(rate)) => !self.signs(rate.numerator()).excludes_zero(),
+                    Ok(Value::Matrix(_) | Value::Zero) | Err(_) => true,
+                }
+            })
     }
 
     /// Whether a link has rates, and its hypotheses tie them in a way that values at a point do not

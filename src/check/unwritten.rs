@@ -5,11 +5,14 @@
 //! on it.
 
 use super::Checker;
+use crate::evaluate::{self, Value};
 use crate::expr::walk::{children, mentions, visit};
 use crate::expr::{Expr, ExprKind, Function, Name, Relation};
+use crate::functions::{FunctionLetter, Sign};
 use crate::model::links::Link;
 use crate::model::names::Resolved;
 use crate::model::{Hypothesis, Node};
+use ratpoly::RationalFunction;
 use std::collections::BTreeSet;
 
 impl Checker<'_> {
@@ -36,6 +39,9 @@ impl Checker<'_> {
                     None
                 }
             });
+        }
+        if let Some(reason) = self.constant_in_pieces(equation, link) {
+            return Some(reason);
         }
         let (mut tied, mut integrated, mut cornered, mut moved, mut moments) =
             (false, false, false, false, false);
@@ -67,7 +73,8 @@ impl Checker<'_> {
                 }
             });
         }
-        if self.ties_the_time(equation) && self.has_rates(equation, link) {
+        let timed = || self.ties_the_time(equation) || self.is_timed(equation, false);
+        if self.has_rates(equation, link) && timed() {
             return Some(
                 "a hypothesis is about the time: whether it holds at a moment or always is not written",
             );
@@ -95,6 +102,51 @@ impl Checker<'_> {
         tied.then_some(
             "a hypothesis ties the letter by which is differentiated: what depends on it is not written",
         )
+    }
+
+    /// Why what is said to be some constant may be one in pieces only: its derivative says nothing of jumps.
+    fn constant_in_pieces(&self, equation: usize, link: &Link) -> Option<&'static str> {
+        let model = self.model;
+        let own = self.exact.display(equation);
+        let (left, right) = (link.left.find(own)?, link.right.find(own)?);
+        let side = match (&left.kind, &right.kind) {
+            (_, ExprKind::Constant) => left,
+            (ExprKind::Constant, _) => right,
+            _ => return None,
+        };
+        let mut cases = false;
+        let display = |e: usize| self.exact.display(e);
+        model.visit_behind(side, &display, &mut |e| {
+            cases |= matches!(e.kind, ExprKind::Cases(_));
+        });
+        if cases {
+            return Some("what is defined by cases may be another constant in each of them");
+        }
+        let world = evaluate::symbolic(model).in_instance(self.instance);
+        let world = world.corrected_as(self.exact.world()).inserting();
+        let mut exact = world.evaluator(model.field());
+        let value = exact.expression(side).ok()?;
+        let table = exact.field.table()?.clone();
+        let elements: Vec<RationalFunction> = match value {
+            Value::Scalar(value) => vec![value],
+            Value::Matrix(m) => m.iter().cloned().collect(),
+            Value::Zero => return None,
+        };
+        let jumps = |letter: usize| match table.meaning(letter) {
+            Some(FunctionLetter::Root(radicand)) => {
+                let radicand = RationalFunction::from(radicand);
+                let symbols = table.letters_behind(&radicand);
+                let open = symbols.into_iter().any(|l| table.meaning(l).is_none());
+                open && !table
+                    .known_sign(&radicand)
+                    .is_some_and(|s| s == Sign::Positive)
+            }
+            _ => false,
+        };
+        let mut behind = elements.iter().flat_map(|f| table.letters_behind(f));
+        behind
+            .any(jumps)
+            .then_some("a root may be another constant on each side of where it vanishes")
     }
 
     pub(super) fn hypotheses_of(&self, equation: usize) -> impl Iterator<Item = &Hypothesis> {

@@ -3,7 +3,7 @@
 use super::{Supposed, Unusable, image};
 use crate::check::Checker;
 use crate::check::hypotheses::possible::Signs;
-use crate::domain::Symbolic;
+use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Evaluator, Value};
 use crate::expr::Relation;
 use crate::model::range::{Numbers, Range};
@@ -57,7 +57,7 @@ impl<'m> Checker<'m> {
         }
     }
 
-    /// What a relation says of the rates: it holds at all times.
+    /// What a relation between processes says of the rates: it holds at all times.
     fn follow(
         &mut self,
         relation: &Polynomial,
@@ -66,6 +66,9 @@ impl<'m> Checker<'m> {
         span: Span,
     ) {
         let mut rate = RationalFunction::from(relation.clone());
+        if !self.has_processes(&rate) {
+            return;
+        }
         for _ in 0..RATES {
             match exact.differentiate(Value::Scalar(rate), 1, span) {
                 Ok(Value::Scalar(next)) if !next.is_zero() => {
@@ -157,6 +160,19 @@ impl<'m> Checker<'m> {
         best.map(|(_, candidate)| candidate)
     }
 
+    /// Whether a process or a rate stands behind an element.
+    fn has_processes(&self, element: &RationalFunction) -> bool {
+        let behind = self.exact.field.letters_behind(element);
+        behind
+            .into_iter()
+            .any(|letter| match self.model.letters[letter] {
+                Letter::Symbol { symbol, .. } => self.model.symbols[symbol].function_of.is_some(),
+                // What a definition stands for may move.
+                Letter::Abbreviation { .. } => true,
+                Letter::Function { .. } => false,
+            })
+    }
+
     /// Whether a letter stands in the argument of a function among these letters.
     fn stands_in_function(&self, letter: usize, among: &[usize]) -> bool {
         self.functions().is_some_and(|table| {
@@ -199,6 +215,11 @@ impl<'m> Checker<'m> {
             let Letter::Symbol { symbol, order } = self.model.letters[letter] else {
                 continue;
             };
+            // Constants and the time may be related so at a moment.
+            let own = RationalFunction::variable(self.model.ring, letter);
+            if !self.has_processes(&own) && !self.has_processes(&value) {
+                continue;
+            }
             let Ok(Value::Scalar(rate)) = exact.differentiate(Value::Scalar(value), 1, span) else {
                 if self.model.letter_of_symbol(symbol, order + 1).is_some() {
                     let what = "a rate of a hypothesis";
