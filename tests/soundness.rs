@@ -23,6 +23,8 @@ mod generated;
 mod hypotheses;
 #[path = "soundness/limits.rs"]
 mod limits;
+#[path = "soundness/moments.rs"]
+mod moments;
 #[path = "soundness/monotone.rs"]
 mod monotone;
 #[path = "soundness/one_case.rs"]
