@@ -430,6 +430,11 @@ impl Relation {
             | Relation::Tends => false,
         }
     }
+
+    /// Whether it says which values a letter does not have: an inequality.
+    pub fn limits(self) -> bool {
+        self.is_order() || self == Relation::NotEqual
+    }
 }
 
 impl Expr {

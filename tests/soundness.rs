@@ -37,6 +37,8 @@ mod says;
 mod signs;
 #[path = "soundness/sizes.rs"]
 mod sizes;
+#[path = "soundness/solved.rs"]
+mod solved;
 #[path = "soundness/statements.rs"]
 mod statements;
 #[path = "soundness/textbook.rs"]

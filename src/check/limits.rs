@@ -26,6 +26,7 @@ use crate::verdict::{
 };
 use num_traits::Zero;
 use ratpoly::{Polynomial, RationalFunction};
+use std::collections::BTreeSet;
 use ways::infinite;
 pub(crate) use ways::{Printed, Way, compared, ways_of};
 
@@ -35,6 +36,8 @@ struct Approach {
     letter: Name,
     symbol: usize,
     goal: Expr,
+    /// The symbols that move as well, of which what has the limit must be free.
+    beside: Vec<usize>,
 }
 
 /// What a limit was found to be, compared with the printed one.
@@ -49,7 +52,10 @@ impl Checker<'_> {
     /// The verdict on `left \to right`.
     pub(super) fn tends(&mut self, equation: usize, link: &Link) -> Verdict {
         let display = self.exact.display(equation).clone();
-        let approach = self.approach(&display, link);
+        let approach = match self.approach(&display, link) {
+            Ok(approach) => approach,
+            Err(failure) => return self.failed(&failure),
+        };
         if approach.as_ref().is_some_and(|a| a.place == link.right) {
             return Verdict::Definition {
                 what: "where the limit is taken".into(),
@@ -88,7 +94,9 @@ impl Checker<'_> {
         let mut corrected = display.clone();
         let edit = replacement.describe(&display);
         replacement.apply(&mut corrected);
-        let approach = self.approach(&corrected, link);
+        let Ok(approach) = self.approach(&corrected, link) else {
+            return Verdict::Refuted(refutation);
+        };
         let judged = self.judged_limit(&corrected, link, approach.as_ref());
         match (judged, edit) {
             (Ok(Found::True(conditions)), Some(edit)) if conditions.is_empty() => {
@@ -136,7 +144,7 @@ impl Checker<'_> {
     /// That a limit is the printed one, with the quotient whose leading terms show it.
     fn limit_holds(&mut self, equation: usize, link: &Link) -> Verdict {
         let display = self.exact.display(equation).clone();
-        let approach = self.approach(&display, link);
+        let approach = self.approach(&display, link).ok().flatten();
         let moved = approach.as_ref().and_then(|approach| {
             let mut moving = link.left.find(&display)?.clone();
             set_moving(&mut moving, approach);
@@ -172,9 +180,13 @@ impl Checker<'_> {
         }
     }
 
-    /// The clause that says where a letter goes; none for a lone statement.
-    fn approach(&self, display: &Display, link: &Link) -> Option<Approach> {
-        let mut found = Vec::new();
+    /// The clause that says where the letter goes that a link is about; none for a lone statement.
+    ///
+    /// # Errors
+    /// Where several letters move and what has the limit may depend on more than one of them: then they would move
+    /// together, in whatever way, and not one after the other.
+    fn approach(&self, display: &Display, link: &Link) -> Result<Option<Approach>, Failure> {
+        let mut found: Vec<Approach> = Vec::new();
         for (clause, c) in display.clauses.iter().enumerate() {
             if let ([left, right], [Relation::Tends]) =
                 (c.chain.members.as_slice(), c.chain.relations.as_slice())
@@ -187,13 +199,66 @@ impl Checker<'_> {
                     letter: letter.clone(),
                     symbol,
                     goal: right.clone(),
+                    beside: Vec::new(),
                 });
             }
         }
         // A lone `x \to 0` is a statement and no condition.
-        let others = display.clauses.len() > found.len();
-        found.truncate(1);
-        found.pop().filter(|a| others || a.place != link.right)
+        if display.clauses.len() <= found.len() {
+            return Ok(None);
+        }
+        // What depends on a letter that moves has a limit and gives none.
+        let moving: Vec<usize> = found.iter().map(|a| a.symbol).collect();
+        found.retain(|approach| {
+            let mut arguments = self.model.argument_symbols(approach.symbol);
+            !arguments.any(|argument| moving.contains(&argument))
+        });
+        if found.len() < 2 {
+            return Ok(found.pop());
+        }
+        if let Some(own) = found.iter().position(|a| a.place == link.right) {
+            return Ok(Some(found.swap_remove(own)));
+        }
+        let moving: Vec<usize> = found.iter().map(|a| a.symbol).collect();
+        let behind = |expr: &Expr| {
+            let mut symbols = BTreeSet::new();
+            let of = |equation: usize| self.exact.display(equation);
+            self.model.visit_behind(expr, &of, &mut |e| {
+                if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
+                    && let Ok(Resolved::Letter { symbol, .. }) =
+                        self.model.resolve(name, &|_| false)
+                {
+                    symbols.insert(symbol);
+                    symbols.extend(self.model.argument_symbols(symbol));
+                }
+            });
+            symbols
+        };
+        let left = link.left.find(display);
+        let span = left.map_or_else(Default::default, |left| left.span);
+        let several = || Failure::unsupported("a limit in which several letters move", span);
+        let goals = found
+            .iter()
+            .map(|a| &a.goal)
+            .chain(link.right.find(display));
+        for goal in goals {
+            if behind(goal).iter().any(|symbol| moving.contains(symbol)) {
+                return Err(several());
+            }
+        }
+        let left = left.map(behind).unwrap_or_default();
+        let mut own = (0..found.len()).filter(|k| left.contains(&found[*k].symbol));
+        let one = match (own.next(), own.next()) {
+            (Some(one), None) => one,
+            (None, _) => 0,
+            (Some(_), Some(_)) => return Err(several()),
+        };
+        let mut approach = found.swap_remove(one);
+        approach.beside = found.iter().map(|a| a.symbol).collect();
+        match approach.beside.contains(&approach.symbol) {
+            true => Err(several()),
+            false => Ok(Some(approach)),
+        }
     }
 
     /// Whether the statement is true; what shows it where it is not.
@@ -272,6 +337,15 @@ impl Checker<'_> {
                 }
                 Ok(Value::Scalar(value)) => {
                     let value = self.spelt_out(&value).ok_or_else(missing)?;
+                    // A hypothesis may tie the one letter to the other.
+                    let beside = approach.map_or(&[][..], |a| &a.beside);
+                    let mut letters = beside
+                        .iter()
+                        .filter_map(|s| self.model.letter_of_symbol(*s, 0));
+                    let behind = self.exact.field.letters_behind(&value);
+                    if letters.any(|letter| behind.contains(&letter)) {
+                        return Err(unsupported("a limit in which several letters move"));
+                    }
                     self.limit_of(&value, &goal, ways.as_ref(), left)
                 }
             });

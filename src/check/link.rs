@@ -8,7 +8,7 @@ use crate::evaluate::{Failure, FailureKind};
 use crate::expr::{ExprKind, Relation};
 use crate::latex;
 use crate::model::links::{Link, Place};
-use crate::model::names::Resolved;
+use crate::model::names::{Resolved, literal_number};
 use crate::model::{DefinitionKind, Node, Role};
 use crate::verdict::{
     CounterProof, Ended, Positivity, Refutation, ResidualEntry, Searched, Verdict,
@@ -185,7 +185,11 @@ impl Checker<'_> {
         };
         for tuple in indices {
             let key = (Node::Definition(definition), tuple, 0);
-            if let Err(failure) = self.exact.value_of(key, span) {
+            let value = match model.exceptions(definition).is_empty() {
+                true => self.exact.value_of(key, span).map(|_| ()),
+                false => self.exact.defined(definition, span),
+            };
+            if let Err(failure) = value {
                 return self.failed(&failure);
             }
         }
@@ -239,19 +243,16 @@ impl Checker<'_> {
     /// Whether a link of a definition says between which numbers or letters a letter lies.
     pub(super) fn is_range(&self, equation: usize, link: &Link) -> bool {
         let display = self.exact.display(equation);
-        let plain = |place: Place| match place.find(display).map(|e| &e.kind) {
-            Some(ExprKind::Number(_) | ExprKind::Infinity) => true,
-            Some(ExprKind::Name(name)) => matches!(
+        let plain = |place: Place| match place.find(display).map(|e| (e, &e.kind)) {
+            Some((_, ExprKind::Infinity)) => true,
+            Some((_, ExprKind::Name(name))) => matches!(
                 self.model.resolve(name, &|_| false),
                 Ok(Resolved::Letter { order: 0, .. })
             ),
-            _ => false,
+            Some((e, _)) => literal_number(e).is_some(),
+            None => false,
         };
-        let order = matches!(
-            link.relation,
-            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual
-        );
-        order && plain(link.left) && plain(link.right)
+        link.relation.limits() && plain(link.left) && plain(link.right)
     }
 
     /// A bare expression such as `a_i, i = 1(1)4` says that these things exist.

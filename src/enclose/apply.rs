@@ -80,15 +80,21 @@ impl Evaluator<'_, '_> {
             return self.primed(&derived, function.letter.primes, arguments, span);
         }
         if let [argument] = arguments
-            && let ExprKind::Number(at) = &argument.kind
-            && model.has_values_at(at)
+            && let Some(at) = literal_number(argument)
+            && model.has_values_at(&at)
+            && !node.is_some_and(|node| model.is_function_of_no_time(node))
         {
-            let layer = LayerKind::At(at.clone());
+            let layer = LayerKind::At(at);
             return self.with_layer(layer, |e| e.name(function, span));
         }
         if let Some(definition) = node.and_then(|node| model.function_definition(node)) {
             let images = self.images(definition, arguments, span)?;
             return self.with_images(&images, |e| {
+                if let Some(Node::Definition(d)) = node
+                    && let Some(value) = e.own_value_here(d, span)?
+                {
+                    return Ok(value);
+                }
                 e.within_range(definition, span)?;
                 e.name(function, span)
             });
@@ -215,6 +221,61 @@ impl Evaluator<'_, '_> {
             }
         }
         Ok(())
+    }
+
+    /// The value of its own that a function has where its letter stands for what it stands for now, if it has one.
+    /// Where the general definition has a certainly different one there, it has none at all.
+    pub(super) fn own_value_here(
+        &mut self,
+        definition: usize,
+        span: Span,
+    ) -> Result<Option<Value>> {
+        let model = self.world.model;
+        let own = model.exceptions(definition);
+        if own.is_empty() {
+            return Ok(None);
+        }
+        let parameters = self.world.parameters(&model.definitions[definition]);
+        let symbol = parameters.first().and_then(|p| self.plain_letter(p));
+        let unclear = || Reason::Unsupported("a function of what is no letter").at(span);
+        let symbol = symbol.ok_or_else(unclear)?;
+        let argument = self.letter(symbol, 0, span)?;
+        for (at, value) in own {
+            let there = Jet::from(crate::real::Real::rational(at));
+            let printed = self.printed_value(value, span)?;
+            let general = self.with_images(&[(symbol, there.clone())], |e| {
+                e.within_range(&model.definitions[definition], span)?;
+                e.printed_value(definition, span)
+            });
+            let one = match general {
+                Ok(general) if agree(&general, &printed) => true,
+                Ok(_) => {
+                    let what = "a function with two values at one number";
+                    return Err(Reason::Unsupported(what).at(span));
+                }
+                Err(_) => false,
+            };
+            match self.arithmetic.related(&argument, Relation::Equal, &there) {
+                Truth::True => return Ok(Some(printed)),
+                Truth::False => {}
+                Truth::Unknown if one => {}
+                Truth::Unknown => return Err(Reason::Imprecise(Undefined::Range).at(span)),
+            }
+        }
+        Ok(None)
+    }
+
+    /// The value of what is printed as a definition's.
+    fn printed_value(&mut self, definition: usize, span: Span) -> Result<Value> {
+        let world = self.world;
+        let definition = &world.model.definitions[definition];
+        let printed = definition.place.find(world.display(definition.equation));
+        let printed =
+            printed.ok_or_else(|| Reason::Unsupported("a definition without a value").at(span))?;
+        let bound = std::mem::take(&mut self.bound);
+        let value = self.expression(printed);
+        self.bound = bound;
+        value
     }
 
     /// The value in the case whose conditions are met. Where several are, they must agree.

@@ -215,6 +215,9 @@ impl Evaluator<'_, '_> {
                 if let DefinitionKind::Family { indices: names, .. } = &definition.kind {
                     self.bound = names.iter().cloned().zip(indices.iter().copied()).collect();
                 }
+                if let Some(value) = self.own_value_here(*d, span)? {
+                    return Ok(value);
+                }
                 let world = self.world;
                 match definition.place.find(world.display(definition.equation)) {
                     Some(expr) => self.expression(expr),

@@ -49,6 +49,12 @@ impl Evaluator<'_, '_> {
     }
 
     fn solve_shaped(&mut self, system: usize, shapes: &[Shape], span: Span) -> Result<Vec<Value>> {
+        let world = self.world;
+        let degree = (world.model).degree_in_unknowns(system, &|equation| world.display(equation));
+        if degree.is_err() {
+            let what = "an equation that is not linear in its unknowns";
+            return Err(Reason::Unsupported(what).at(span));
+        }
         let variable = self.arithmetic.open(0);
         let residual = self.residual(system, shapes, variable, span);
         self.arithmetic.close();

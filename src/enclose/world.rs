@@ -182,6 +182,19 @@ impl<'m> World<'m> {
                         each(member, see);
                     }
                 }
+                let own = self.model.exceptions(d);
+                for argument in definition.arguments.iter().filter(|_| !own.is_empty()) {
+                    see(&Expr::new(
+                        ExprKind::Name(argument.clone()),
+                        Default::default(),
+                    ));
+                }
+                for (_, value) in own {
+                    let value = &self.model.definitions[value];
+                    if let Some(value) = value.place.find(self.display(value.equation)) {
+                        each(value, see);
+                    }
+                }
             }
             Node::Notation(n) => {
                 if let Some(target) = self.model.notation[n].kind.target() {
@@ -309,7 +322,7 @@ impl<'m> World<'m> {
                 || e.as_infinity().is_some()
                 || crate::model::names::literal_number(e).is_some()
         };
-        let order = |r: &Relation| r.is_order();
+        let order = |r: &Relation| r.limits();
         !chain.relations.is_empty()
             && chain.members.iter().all(plain)
             && chain.relations.iter().all(order)

@@ -50,6 +50,16 @@ impl<E> Choice<E> {
     }
 }
 
+impl<E> Choice<E> {
+    /// What the cases chosen so far suppose.
+    pub(super) fn known(&self) -> &[Supposed<E>] {
+        match self.met {
+            0 => &[],
+            _ => &self.supposed,
+        }
+    }
+}
+
 type Result<T> = std::result::Result<T, Failure>;
 
 /// What becomes of a condition.
@@ -243,6 +253,7 @@ impl<D: Domain> Evaluator<'_, D> {
         if self.field.functions().is_none() {
             self.leave_range_open(range, span);
         }
+        self.leave_out(range, span)?;
         match self.standing(range) {
             Ok(Standing::False) | Err(_) if by_letters => Ok(()),
             Err(failure) => Err(failure),
@@ -264,6 +275,38 @@ impl<D: Domain> Evaluator<'_, D> {
                 Ok(())
             }
         }
+    }
+
+    /// Leaves it as conditions that the letters of a function are none of the numbers that are left out of its range.
+    fn leave_out(&mut self, range: &[Chain], span: Span) -> Result<()> {
+        for chain in range {
+            for (pair, relation) in chain.members.windows(2).zip(&chain.relations) {
+                if *relation != Relation::NotEqual {
+                    continue;
+                }
+                let (left, right) = (self.expression(&pair[0])?, self.expression(&pair[1])?);
+                let difference = super::value::subtract(&self.field, &left, &right, span)?;
+                let Value::Scalar(divisor) = difference else {
+                    return Err(Failure::unsupported("a condition on matrices", span));
+                };
+                if self.field.is_zero(&divisor) {
+                    let what = "an argument outside of the range of its definition";
+                    return Err(Failure::unsupported(what, span));
+                }
+                let functions = self.field.functions();
+                if functions.is_some_and(|f| f.depends_on_bound(&divisor)) {
+                    // One point less changes no integral.
+                    continue;
+                }
+                if !self.field.letters(&divisor).is_empty() {
+                    self.conditions.push(super::Condition {
+                        divisor,
+                        origin: super::Origin::Divisor(span),
+                    });
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Leaves it as conditions that the letters of a function lie in a range, over a field that knows no signs.
@@ -301,7 +344,7 @@ impl<D: Domain> Evaluator<'_, D> {
     /// The chains beside a definition that say between what its letters lie.
     pub(super) fn range_of(&self, definition: &Definition, parameters: &[Name]) -> Vec<Chain> {
         let display = self.display(definition.equation);
-        let order = |relation: &Relation| relation.is_order();
+        let order = |relation: &Relation| relation.limits();
         let is_letter = |e: &Expr| {
             e.as_name().is_some_and(|name| {
                 let name = latex::canonical(name);

@@ -7,12 +7,12 @@
 
 use super::{Evaluator, Failure, FailureKind, Value};
 use crate::domain::Domain;
-use crate::expr::{Chain, Expr, ExprKind, Function, Name, Sign};
+use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::functions::integral::End;
 use crate::functions::{Constant, Functions, Possible, Sign as KnownSign, Supposed};
 use crate::latex;
 use crate::model::links::Place;
-use crate::model::names::Resolved;
+use crate::model::names::{Resolved, literal_number};
 use crate::model::range::Numbers;
 use crate::model::time::Constancy;
 use crate::model::{Definition, Letter, Node, NotationKind};
@@ -130,15 +130,26 @@ impl<D: Domain> Evaluator<'_, D> {
             return Self::possible(functions.dirac(&argument), span).map(Value::Scalar);
         }
         if let [argument] = arguments
-            && let ExprKind::Number(at) = &argument.kind
-            && self.model.has_values_at(at)
+            && let Some(at) = literal_number(argument)
+            && self.model.has_values_at(&at)
+            && !node.is_some_and(|node| self.model.is_function_of_no_time(node))
         {
-            return self.taken_at(function, at, span);
+            return self.taken_at(function, &at, span);
         }
         if let Some(definition) = node.and_then(|node| self.model.function_definition(node)) {
             let parameters = self.parameters(definition);
             let range = self.range_of(definition, &parameters);
-            return self.applied(function, &parameters, &range, arguments, span);
+            let images = self.images(&parameters, arguments, span)?;
+            return self.with_symbols(images, |e| {
+                // A value of its own belongs to it, whatever the range of the general ones is.
+                if let Some(Node::Definition(d)) = node
+                    && let Some(value) = e.own_value_here(d, span)?
+                {
+                    return Ok(value);
+                }
+                e.suppose_range(&range, span)?;
+                e.name(function, span)
+            });
         }
         if self.model.is_plain_application(function, arguments) {
             self.name(function, span)
@@ -194,15 +205,13 @@ impl<D: Domain> Evaluator<'_, D> {
         }
     }
 
-    /// A defined function with its letters replaced: by position, or by name as in `R(x = 0)`.
-    fn applied(
+    /// What the letters of a defined function are replaced by: by position, or by name as in `R(x = 0)`.
+    fn images(
         &mut self,
-        function: &Name,
         parameters: &[Name],
-        range: &[Chain],
         arguments: &[Expr],
         span: Span,
-    ) -> Result<Value<D::Element>> {
+    ) -> Result<Vec<(usize, D::Element)>> {
         let mut images = Vec::new();
         for (position, argument) in arguments.iter().enumerate() {
             let by_position = || parameters.get(position).map(|name| (name, argument));
@@ -226,10 +235,7 @@ impl<D: Domain> Evaluator<'_, D> {
             };
             images.push((symbol, image));
         }
-        self.with_symbols(images, |e| {
-            e.suppose_range(range, span)?;
-            e.name(function, span)
-        })
+        Ok(images)
     }
 
     /// An integral, over a letter of its own.

@@ -16,6 +16,7 @@ mod index;
 mod memo;
 mod nodes;
 mod operations;
+mod own;
 mod rate;
 mod solve;
 pub mod value;

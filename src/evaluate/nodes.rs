@@ -230,6 +230,9 @@ impl<D: Domain> Evaluator<'_, D> {
                 if let DefinitionKind::Family { indices: names, .. } = &definition.kind {
                     self.frame.bound = names.iter().cloned().zip(indices.iter().copied()).collect();
                 }
+                if let Some(value) = self.own_value_here(*d, span)? {
+                    return Ok(value);
+                }
                 let expr = definition
                     .place
                     .find(self.display(definition.equation))

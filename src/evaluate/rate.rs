@@ -239,6 +239,12 @@ impl<D: Domain> Evaluator<'_, D> {
             Value::Zero => self.field.integer(0),
             Value::Matrix(_) => return Err(Failure::unsupported("a matrix as an argument", span)),
         };
+        if let Some(definition) = definition {
+            let range = self.range_of(definition, &parameters);
+            self.with_symbols(vec![(symbol, at.clone())], |e| {
+                e.suppose_range(&range, span)
+            })?;
+        }
         self.derivative_over(symbol, primes, at, span, |e| {
             e.node((function, Vec::new(), 0), span)
         })

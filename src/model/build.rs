@@ -24,11 +24,6 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The largest range that an index may be declared to run over.
 const LARGEST_RANGE: i64 = 1000;
 
-/// What some expressions are.
-fn kinds(exprs: &[Expr]) -> Vec<&ExprKind> {
-    exprs.iter().map(|e| &e.kind).collect()
-}
-
 impl Model {
     /// Reads a document as mathematics.
     ///
@@ -392,6 +387,9 @@ impl Builder {
                 _ => Conditions::default(),
             };
             settings.assume.extend(conditions.texts);
+            if matches!(equation.role, document::Role::Solve(_)) {
+                self.refuse_unsolvable(&display);
+            }
             if !matches!(equation.role, document::Role::Recall) {
                 let claim = matches!(equation.role, document::Role::Claim);
                 self.refuse_clauses(&display, claim);
@@ -575,13 +573,18 @@ impl Builder {
             ExprKind::Apply {
                 function,
                 arguments,
-            } if always && let [ExprKind::Number(at)] = &kinds(arguments)[..] => match right_name {
-                Some(name) if !self.has_meaning(&name, &DefinitionKind::Whole) => {
-                    place = target.left;
-                    (name, DefinitionKind::Whole)
+            } if always
+                && let [argument] = &arguments[..]
+                && let Some(at) = names::literal_number(argument) =>
+            {
+                match right_name {
+                    Some(name) if !self.has_meaning(&name, &DefinitionKind::Whole) => {
+                        place = target.left;
+                        (name, DefinitionKind::Whole)
+                    }
+                    _ => (function.clone(), DefinitionKind::ValueAt(at)),
                 }
-                _ => (function.clone(), DefinitionKind::ValueAt((*at).clone())),
-            },
+            }
             ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
                 match self.running_indices(name, &ranges) {
                     Some((indices, ranges)) => {

@@ -159,6 +159,23 @@ impl Builder {
         )
     }
 
+    /// Refuses what is no equation to be solved: other relations, and what it is said under.
+    pub(super) fn refuse_unsolvable(&mut self, display: &Display) {
+        for clause in &display.clauses {
+            let chain = &clause.chain;
+            let equations = chain.relations.iter().all(|r| *r == Relation::Equal);
+            let under = clause.joined.as_deref().is_some_and(latex::is_condition);
+            if equations && !under {
+                continue;
+            }
+            let found = format!("`{}`", latex::write_chain(chain));
+            let expected = "equations to be solved, and nothing else: between what its letters lie \
+                            their declarations say";
+            let expected = expected.into();
+            self.error(DiagnosticKind::Unexpected { found, expected }, chain.span);
+        }
+    }
+
     /// Refuses what a display cannot say: alternatives, and clauses without a relation in a claim.
     pub(super) fn refuse_clauses(&mut self, display: &Display, claim: bool) {
         for clause in &display.clauses {

@@ -265,6 +265,15 @@ impl Model {
                 if let Some(value) = definition.place.find(display) {
                     self.collect(value, &mut found);
                 }
+                // Whether it is one of these depends on the argument.
+                let own = self.exceptions(d);
+                found.extend(own.iter().map(|(_, value)| Node::Definition(*value)));
+                if !own.is_empty() {
+                    let letters = definition.arguments.iter();
+                    let letters =
+                        letters.filter_map(|l| self.names.whole.get(&latex::canonical(l)));
+                    found.extend(letters.map(|node| normal(*node)));
+                }
             }
             Node::Notation(n) => {
                 if let Some(target) = self.notation[n].kind.target() {
@@ -441,6 +450,10 @@ impl Model {
                     let families = self.names.families.iter();
                     found.extend(families.filter(|((k, _), _)| *k == key).map(|(_, n)| *n));
                     found.extend(self.names.whole.get(&key).map(|n| normal(*n)));
+                    // Unknowns that differ by an index, of which it may be any.
+                    let members = self.names.elements.iter().filter(|((k, _), _)| *k == key);
+                    let unknown = |node: &Node| matches!(node, Node::Unknown { .. });
+                    found.extend(members.map(|(_, n)| normal(*n)).filter(unknown));
                 }
             }
             _ => {}

@@ -99,7 +99,12 @@ pub(super) fn reserve(
             });
         });
     }
-    match uses + constants {
+    // Whether an argument is one at which a function has a value of its own, signs tell.
+    let own = definitions.iter().filter(|d| {
+        let function = |other: &&Definition| other.name == d.name && !other.arguments.is_empty();
+        matches!(d.kind, DefinitionKind::ValueAt(_)) && definitions.iter().any(|o| function(&o))
+    });
+    match uses + constants + own.count() {
         0 => 0,
         n => (SPARE_FUNCTIONS + 2 * n).min(MOST_FUNCTIONS),
     }

@@ -6,6 +6,7 @@
 mod build;
 mod conditions;
 mod cycles;
+pub mod degree;
 mod letters;
 pub mod links;
 pub mod matrices;
@@ -377,6 +378,17 @@ impl Model {
         }
     }
 
+    /// Whether a name is defined as a function of letters none of which is a time or what processes depend on: at a
+    /// number such a letter is that number, and nothing else is.
+    pub fn is_function_of_no_time(&self, node: Node) -> bool {
+        let moving = |argument: &Name| {
+            let argument = crate::latex::canonical(argument);
+            self.times.contains(&argument) || self.arguments.contains(&argument)
+        };
+        self.function_definition(node)
+            .is_some_and(|definition| !definition.arguments.iter().any(moving))
+    }
+
     /// The printed name of a variable of the ring.
     pub fn letter_name(&self, letter: usize) -> Name {
         match self.letters[letter] {
@@ -404,6 +416,30 @@ impl Model {
     pub fn value_at(&self, process: &Name, at: &BigRational) -> Option<usize> {
         let key = (crate::latex::canonical(process), at.clone());
         self.names.values.get(&key).copied()
+    }
+
+    /// The values at numbers that the document gives something of this name: the numbers with the definitions.
+    pub fn own_values(&self, name: &Name) -> impl Iterator<Item = (&BigRational, usize)> {
+        let key = crate::latex::canonical(name);
+        let values = self.names.values.iter();
+        values
+            .filter(move |((name, _), _)| *name == key)
+            .map(|((_, at), definition)| (at, *definition))
+    }
+
+    /// The values of its own that a function of one argument has at numbers beside the general one. What is a
+    /// function of the time, or of what processes are functions of, has none: they are its values there.
+    pub fn exceptions(&self, definition: usize) -> Vec<(BigRational, usize)> {
+        let definition = &self.definitions[definition];
+        let argument = match (&definition.kind, &definition.arguments[..]) {
+            (DefinitionKind::Whole, [argument]) => crate::latex::canonical(argument),
+            _ => return Vec::new(),
+        };
+        if self.times.contains(&argument) || self.arguments.contains(&argument) {
+            return Vec::new();
+        }
+        let own = self.own_values(&definition.name);
+        own.map(|(at, value)| (at.clone(), value)).collect()
     }
 
     /// Whether the document says of any process what its value at this number is.

@@ -250,6 +250,10 @@ impl Resolver for Point<'_> {
             // A declared matrix is letters without values.
             Node::Matrix(_) => Some(Meaning::Number(None)),
             Node::Unknown { system, position } => Some(Meaning::Unknown { system, position }),
+            // Which of its values is meant, is not decided with rounding.
+            Node::Definition(definition) if !self.model.exceptions(definition).is_empty() => {
+                Some(Meaning::Number(None))
+            }
             Node::Definition(definition) => {
                 let definition = self.model.definitions.get(definition)?;
                 let bound = match &definition.kind {
@@ -297,6 +301,15 @@ impl Resolver for Point<'_> {
     }
 
     fn system(&self, system: usize) -> Option<System<'_>> {
+        // What is no polynomial in its unknowns is not solved at two points that happen to fit.
+        let of = |equation: usize| {
+            let corrected = self.corrected.get(&equation);
+            corrected.unwrap_or(&self.model.equations[equation].display)
+        };
+        if system >= self.model.systems.len() || self.model.degree_in_unknowns(system, &of).is_err()
+        {
+            return None;
+        }
         let system = self.model.systems.get(system)?;
         let display = self.display(system.equation)?;
         Some(System {

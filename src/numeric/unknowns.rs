@@ -95,9 +95,9 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
     }
 
     fn equations(&self, system: usize, span: Span) -> Result<System<'r>, Failure> {
-        self.resolver
-            .system(system)
-            .ok_or_else(|| Failure::unsupported("an unknown without equations", span))
+        self.resolver.system(system).ok_or_else(|| {
+            Failure::unsupported("an unknown that no linear equations determine", span)
+        })
     }
 
     /// Runs `body` while a system is being solved. Systems may need each other's solutions, but

@@ -32,7 +32,7 @@ impl Checker<'_> {
         let left = link.left.find(display)?;
         let right = link.right.find(display)?;
         let infinite = right.kind == ExprKind::Infinity;
-        let approach = self.approach(display, link);
+        let approach = self.approach(display, link).ok()?;
         if approach.is_none() && !infinite {
             return None;
         }
