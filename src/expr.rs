@@ -360,13 +360,37 @@ pub struct IndexRange {
     pub to: Expr,
 }
 
+/// What is printed between a clause and the one before it, beside words.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Separation {
+    /// Nothing: it is the first one, or only a word stands there.
+    #[default]
+    None,
+    /// A wide space.
+    Space,
+    /// A comma, perhaps with a space.
+    Comma,
+    /// A comma at the end of the line before it.
+    CommaAndLine,
+    /// A semicolon, or another column of the same line.
+    Semicolon,
+    /// It has a line of its own.
+    Line,
+    /// A full stop.
+    FullStop,
+}
+
 /// One equation (or chain) of a display with the side conditions printed after it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Clause {
     /// The heading before it, as in `\text{I:}`.
     pub heading: Option<String>,
     /// The word that joins it to the clause before it, such as "for" or "where"; none for a comma.
     pub joined: Option<String>,
+    /// What separates it from the clause before it.
+    pub separation: Separation,
+    /// Whether it stands in brackets of its own, as in `x = |y| \quad (y > 0)`.
+    pub bracketed: bool,
     /// The chain; a chain of one member is a bare expression such as `a_i, i = 1(1)4`.
     pub chain: Chain,
     /// The ranges of its indices.
@@ -374,6 +398,18 @@ pub struct Clause {
     /// The words after it, as in `\text{ driving comfort}`.
     pub remark: Option<String>,
 }
+
+/// Equality of what is said; how clauses are set apart does not count.
+impl PartialEq for Clause {
+    fn eq(&self, other: &Self) -> bool {
+        self.heading == other.heading
+            && self.joined == other.joined
+            && self.chain == other.chain
+            && self.ranges == other.ranges
+            && self.remark == other.remark
+    }
+}
+impl Eq for Clause {}
 
 /// Everything that stands under one equation number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

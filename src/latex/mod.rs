@@ -16,6 +16,10 @@
 //! - A sum sign, an integral and `d/dt` take the product that follows, up to the next plus or
 //!   minus; `\det`, `\operatorname{tr}`, `\mathrm{Re}` take one factor; `\cos` and its kin take
 //!   the juxtaposed letters and numbers that follow, or one bracket.
+//! - A bracket directly behind the bracket of a function is ambiguous, as are `\log`, the exponent -1 of a function,
+//!   and `E\{...\}` where E is a letter; the square of a defined function, `F^2(x)`, is a reading that is named.
+//! - A dot between two columns is their scalar product, a reading that is named; a cross and a power of a column are
+//!   ambiguous.
 //! - A sign binds looser than a power: `-1^2` is -(1^2).
 //! - A name before a round bracket is a function if the [`Signature`] says so or if commas or an
 //!   equation stand in the bracket, a factor if it is declared as anything else or if the bracket
@@ -49,6 +53,7 @@ pub(crate) const SCALAR_TRANSPOSED: &str =
 
 pub use layout::DEPTH_LIMIT;
 pub(crate) use parser::is_matrix_like;
+pub(crate) use signature::Shape;
 pub use signature::Signature;
 pub(crate) use vocabulary::is_condition;
 pub use writer::{canonical, write_chain, write_display, write_expr, write_relation};
@@ -58,6 +63,7 @@ use crate::expr::{Bracket, Chain, Display, Expr, Name};
 use crate::span::Span;
 use lexer::{Delimiter, Token};
 use parser::Parser;
+use signature::Head;
 
 /// Reads everything that stands under one equation number. `offset` is the place of `text` in
 /// its document.
@@ -129,7 +135,7 @@ pub(crate) fn misprints(text: &str, offset: usize) -> Vec<Diagnostic> {
 pub(crate) fn heads(text: &str) -> impl Iterator<Item = String> {
     heads_with_arguments(text)
         .into_iter()
-        .map(|(name, _)| canonical(&name))
+        .map(|head| canonical(&head.name))
 }
 
 /// The names that a display defines, with their arguments.
@@ -164,7 +170,7 @@ fn letters_without_bracket(text: &str) -> Vec<String> {
     places.filter_map(letter).collect()
 }
 
-fn heads_with_arguments(text: &str) -> Vec<(Name, Vec<Name>)> {
+fn heads_with_arguments(text: &str) -> Vec<Head> {
     let Ok(layout) = layout::prepare(text, 0, true) else {
         return Vec::new();
     };

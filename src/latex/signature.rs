@@ -14,6 +14,11 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Signature {
     /// Functions, with the bases of the letters they are functions of.
     functions: BTreeMap<String, BTreeSet<String>>,
+    /// Those that an equation defines of any argument.
+    formal: BTreeSet<String>,
+    /// Names of columns, and of other matrices, as far as their shapes are printed.
+    columns: BTreeSet<String>,
+    matrices: BTreeSet<String>,
     names: BTreeSet<String>,
     /// Names that an equation defines and no table declares.
     defined: BTreeSet<String>,
@@ -23,11 +28,32 @@ pub struct Signature {
     expectation: Option<String>,
 }
 
+/// Whether a name stands for a column or for another matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// Entries one below the other.
+    Column,
+    /// Anything else.
+    Matrix,
+}
+
+/// What stands alone on the left of an equals sign.
+pub(super) struct Head {
+    pub name: Name,
+    /// The arguments of a function.
+    pub arguments: Vec<Name>,
+    /// The shape of the matrix that is printed on the right, if one is.
+    pub shape: Option<Shape>,
+}
+
 impl Default for Signature {
     /// Nothing is declared; `E\{...\}` is the expectation.
     fn default() -> Self {
         Signature {
             functions: BTreeMap::new(),
+            formal: BTreeSet::new(),
+            columns: BTreeSet::new(),
+            matrices: BTreeSet::new(),
             names: BTreeSet::new(),
             defined: BTreeSet::new(),
             indexed: BTreeSet::new(),
@@ -60,16 +86,53 @@ impl Signature {
     /// arguments, that stand alone on the left of an equals sign, and the names under its
     /// braces. A name defined so may still be a function of time: it is applied in `x(t)`. What is wrong with the display is for [`parse_display`](super::parse_display) to say.
     pub fn declare_definitions(&mut self, text: &str) {
-        for (name, arguments) in super::heads_with_arguments(text) {
+        for Head {
+            name,
+            arguments,
+            shape,
+        } in super::heads_with_arguments(text)
+        {
+            if let Some(shape) = shape {
+                self.declare_shape(&name, shape);
+            }
             if arguments.is_empty() {
                 self.defined.insert(canonical(&name.undotted()));
                 if name.subscript.is_some() {
                     self.indexed.insert(name.letter.clone());
                 }
             } else if !self.has_name(&name) {
+                if !self.is_function(&name) {
+                    self.formal.insert(canonical(&name.undotted()));
+                }
                 self.declare_function(&name, &arguments);
             }
         }
+    }
+
+    /// Declares whether a name that has a meaning is a column or another matrix.
+    pub(crate) fn declare_shape(&mut self, name: &Name, shape: Shape) {
+        let known = match shape {
+            Shape::Column => &mut self.columns,
+            Shape::Matrix => &mut self.matrices,
+        };
+        known.insert(canonical(&name.undotted()));
+    }
+
+    /// Which of the two it is, if that is printed.
+    pub(super) fn shape(&self, name: &Name) -> Option<Shape> {
+        let key = canonical(&name.undotted());
+        match (self.columns.contains(&key), self.matrices.contains(&key)) {
+            (true, false) => Some(Shape::Column),
+            (false, true) => Some(Shape::Matrix),
+            _ => None,
+        }
+    }
+
+    /// Whether an equation, and no table, says of which letter it is a function: then it may be one of anything.
+    pub(super) fn is_formal(&self, name: &Name) -> bool {
+        let unprimed = (0..=name.letter.primes).filter_map(|n| name.undotted().unprimed(n));
+        let mut keys = unprimed.map(|function| canonical(&function));
+        keys.any(|key| self.formal.contains(&key))
     }
 
     /// Notes which letters of a text stand without arguments. A function that always has some is one
@@ -101,6 +164,12 @@ impl Signature {
         self.names.contains(&key)
             || self.defined.contains(&key)
             || name.subscript.is_some() && self.indexed.contains(&name.letter)
+    }
+
+    /// Whether an equation defines it, alone or as a function, and no table declares it.
+    pub(super) fn is_defined(&self, name: &Name) -> bool {
+        let key = canonical(&name.undotted());
+        !self.names.contains(&key) && (self.defined.contains(&key) || self.formal.contains(&key))
     }
 
     /// Whether exactly this name, and not only its letter with another index, is no function.

@@ -134,7 +134,28 @@ pub(super) fn word_function(word: &str) -> Option<Function> {
 
 /// Words that only join one equation to the next.
 pub(super) fn is_conjunction(word: &str) -> bool {
-    is_condition(word) || matches!(word.trim(), "and" | "or" | "with" | "where" | "so that")
+    is_condition(word)
+        || is_conclusion(word)
+        || matches!(word.trim(), "and" | "or" | "with" | "where")
+}
+
+/// Words after which stands what is claimed.
+fn is_conclusion(word: &str) -> bool {
+    matches!(
+        word.trim().trim_end_matches(','),
+        "so" | "so that"
+            | "hence"
+            | "and hence"
+            | "thus"
+            | "and thus"
+            | "then"
+            | "and then"
+            | "therefore"
+            | "and therefore"
+            | "consequently"
+            | "which gives"
+            | "it follows that"
+    )
 }
 
 /// Words after which stands under what condition an equation is meant.

@@ -279,6 +279,15 @@ impl Builder {
                 signature.declare_function(name, arguments);
             }
         }
+        for matrix in &self.matrices {
+            let one = |size: &document::Size| size.factor == 1 && size.letter.is_none();
+            let column = one(&matrix.shape.columns) && !one(&matrix.shape.rows);
+            let shape = match column {
+                true => latex::Shape::Column,
+                false => latex::Shape::Matrix,
+            };
+            signature.declare_shape(&matrix.name, shape);
+        }
         for notation in &document.notation {
             if let Ok(name) = latex::parse_name(&notation.name.text, notation.name.span.start) {
                 match notation.kind {

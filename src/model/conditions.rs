@@ -1,15 +1,18 @@
 //! What a claim is said under: the clauses of its display that are conditions and no claims.
 //!
 //! `x = |y|, \quad y \ge 0` claims one thing and supposes another. A clause is a condition if a word
-//! such as "for" or "if" stands before it, or if after an equation and a comma it only compares
-//! declared letters with numbers or each other. Beside at least one claim it becomes a hypothesis of
-//! the equation, shown as one; a display of nothing but such clauses claims them.
+//! such as "for" or "if" stands before it, or if after an equation and a comma, or in brackets, it only
+//! compares declared letters with numbers or each other. Beside at least one claim it becomes a hypothesis
+//! of the equation, shown as one; a display of nothing but such clauses claims them. After "so that" and its
+//! kin, "and" behind a claim, a full stop or on a line of its own, a clause asserts. Where neither words nor
+//! marks decide (a semicolon, another column, a wide space, an equation behind a condition), both readings
+//! are given back: a claim that vanished into a hypothesis would prove itself.
 
 use super::build::Builder;
 use super::{Hypothesis, Node};
 use crate::diagnostic::DiagnosticKind;
 use crate::document::Text;
-use crate::expr::{Chain, Clause, Display, Expr, ExprKind, Relation, Sign};
+use crate::expr::{Chain, Clause, Display, Expr, ExprKind, Relation, Separation, Sign};
 use crate::latex;
 
 /// The conditions of a display, taken out of it.
@@ -20,21 +23,65 @@ pub(super) struct Conditions {
     pub texts: Vec<Text>,
 }
 
+/// What a clause is in its display.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Standing {
+    /// A claim.
+    Claim,
+    /// A claim that only compares letters and numbers, and so looks like a condition.
+    Comparison,
+    /// A condition, and whether more like it may follow after a comma: an equation, or what a word begins.
+    Condition { goes_on: bool },
+    /// A condition or a claim.
+    Doubtful,
+    /// No relation.
+    Subject,
+}
+
+/// What stands before a clause of a display.
+#[derive(Clone, Copy)]
+struct Before {
+    /// Whether anything is claimed.
+    claims: bool,
+    /// Whether more than a comparison is claimed.
+    equations: bool,
+    /// What the last clause with a relation is.
+    last: Standing,
+}
+
 impl Builder {
     /// Takes the conditions out of the display of a claim.
     pub(super) fn conditions(&mut self, display: &mut Display) -> Conditions {
         let mut found = Conditions::default();
         let clauses = &display.clauses;
         let mut conditional = vec![false; clauses.len()];
-        let (mut claims, mut equations) = (false, false);
+        let mut doubtful = Vec::new();
+        let mut before = Before {
+            claims: false,
+            equations: false,
+            last: Standing::Subject,
+        };
         for (k, clause) in clauses.iter().enumerate() {
-            let continued = k > 0 && conditional[k - 1];
-            conditional[k] = self.is_condition(clause, equations, continued);
-            let claimed = !conditional[k] && !clause.chain.relations.is_empty();
-            claims |= claimed;
-            // After `b > 0`, `c > 0` is another claim like it.
-            equations |= claimed && !(self.is_order(&clause.chain) && self.is_plain(&clause.chain));
+            let standing = self.standing(clause, before);
+            match standing {
+                Standing::Claim => before.equations = true,
+                Standing::Condition { .. } => conditional[k] = true,
+                Standing::Doubtful => doubtful.push(clause.chain.span),
+                Standing::Comparison => {}
+                Standing::Subject => continue,
+            }
+            before.claims |= matches!(standing, Standing::Claim | Standing::Comparison);
+            before.last = standing;
         }
+        for span in doubtful {
+            let readings = vec![
+                "a condition, written after a word such as `for`".to_owned(),
+                "another claim, written as an equation of its own".to_owned(),
+            ];
+            self.error(DiagnosticKind::Ambiguous { readings }, span);
+        }
+        let clauses = &display.clauses;
+        let claims = before.claims;
         if !claims {
             return found;
         }
@@ -109,20 +156,65 @@ impl Builder {
         }
     }
 
-    fn is_condition(&self, clause: &Clause, equations: bool, continued: bool) -> bool {
+    fn standing(&self, clause: &Clause, before: Before) -> Standing {
         let chain = &clause.chain;
         if chain.relations.is_empty() {
-            return false;
+            return Standing::Subject;
         }
-        let word = clause.joined.as_deref();
-        let by_word = word.is_some_and(latex::is_condition) || word == Some("and") && continued;
-        let defines = matches!(word, Some("where" | "with"));
-        if self.is_order(chain) {
-            by_word || (equations || defines) && self.is_plain(chain)
-        } else if chain.relations.iter().all(|r| *r == Relation::Equal) {
-            by_word && word != Some("and") || defines && self.is_letter(&chain.members[0])
-        } else {
-            false
+        let (order, plain) = (self.is_order(chain), self.is_plain(chain));
+        let equation = chain.relations.iter().all(|r| *r == Relation::Equal);
+        let claim = match order && plain {
+            true => Standing::Comparison,
+            false => Standing::Claim,
+        };
+        if !order && !equation {
+            return claim;
+        }
+        let behind = matches!(before.last, Standing::Condition { .. });
+        match clause.joined.as_deref() {
+            Some(word) if latex::is_condition(word) => Standing::Condition { goes_on: true },
+            Some("where" | "with") if order && plain => Standing::Condition { goes_on: true },
+            Some("where" | "with") if equation && self.is_letter(&chain.members[0]) => {
+                Standing::Condition { goes_on: true }
+            }
+            Some("where" | "with") => claim,
+            // What it joins is of one kind.
+            Some("and") if behind && (order || plain) => before.last,
+            Some("and") if behind && before.claims => Standing::Doubtful,
+            Some(_) => claim,
+            None => match clause.bracketed && before.claims {
+                true if order && plain => Standing::Condition { goes_on: false },
+                true => Standing::Doubtful,
+                false => self.separated(clause, claim, before),
+            },
+        }
+    }
+
+    /// What a clause is that no word joins to what stands before it.
+    fn separated(&self, clause: &Clause, claim: Standing, before: Before) -> Standing {
+        let doubtful = match (claim, before.last) {
+            // After `b > 0`, `c > 0` is another claim like it, but not where that followed from an equation.
+            (Standing::Comparison, Standing::Comparison) => before.equations,
+            (Standing::Comparison, _) if !before.equations => false,
+            (Standing::Comparison, _) => match clause.separation {
+                Separation::Comma => {
+                    return Standing::Condition {
+                        goes_on: matches!(before.last, Standing::Condition { goes_on: true }),
+                    };
+                }
+                Separation::CommaAndLine | Separation::Space | Separation::Semicolon => true,
+                Separation::None | Separation::Line | Separation::FullStop => false,
+            },
+            (_, Standing::Condition { goes_on }) => {
+                before.claims
+                    && (goes_on || self.is_order(&clause.chain) || self.is_plain(&clause.chain))
+            }
+            (_, _) => false,
+        };
+        let ended = matches!(clause.separation, Separation::Line | Separation::FullStop);
+        match doubtful && !ended {
+            true => Standing::Doubtful,
+            false => claim,
         }
     }
 

@@ -5,7 +5,7 @@ use super::names::{Element, Resolved, literal_integer};
 use super::{DefinitionKind, Model, Node, NotationKind, Role};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::walk::children;
-use crate::expr::{Chain, Display, Expr, ExprKind};
+use crate::expr::{Chain, Display, Expr, ExprKind, Relation};
 use crate::latex;
 use crate::span::Span;
 use std::collections::BTreeSet;
@@ -42,6 +42,7 @@ impl Model {
         let mut report = Vec::new();
         let sizes: Vec<String> = self.instances[0].keys().cloned().collect();
         let equation = &self.equations[equation];
+        let mut tending = Vec::new();
         for (clause_index, clause) in display.clauses.iter().enumerate() {
             let mut bound: Vec<String> = clause
                 .ranges
@@ -68,7 +69,14 @@ impl Model {
                 if !recalled(m) {
                     self.check_expression(member, &mut bound, &mut report);
                     self.shadowed_letters(member, &mut indices, &mut report);
+                    self.bare_functions(member, &mut tending, &mut report);
                 }
+            }
+            if let (Some(Relation::Tends), ExprKind::Name(letter)) = (
+                clause.chain.relations.first(),
+                &clause.chain.members[0].kind,
+            ) {
+                tending.push(letter.clone());
             }
             for (_, label) in super::links::underbraces(&clause.chain) {
                 for member in &label.members {

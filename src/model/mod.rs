@@ -3,6 +3,7 @@
 //! Invariants: every name in every link, definition and notation entry resolves; no definition
 //! needs itself (a family may need members with another index); each name has one meaning.
 
+mod bare;
 mod build;
 mod conditions;
 mod cycles;

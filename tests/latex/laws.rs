@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rederive::expr::{
     Accent, Bracket, Chain, Clause, Display, Expr, ExprKind, Font, Function, IndexRange, Letter,
-    Name, QuotientStyle, Relation, Sign, Subscript,
+    Name, QuotientStyle, Relation, Separation, Sign, Subscript,
 };
 use rederive::latex::{
     Signature, canonical, parse_display, parse_expr, parse_name, write_display, write_expr,
@@ -396,6 +396,8 @@ fn display() -> impl Strategy<Value = Display> {
         .prop_map(|(heading, chain, ranges, remark)| Clause {
             heading,
             joined: None,
+            separation: Separation::None,
+            bracketed: false,
             chain,
             ranges,
             remark,

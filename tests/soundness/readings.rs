@@ -716,3 +716,509 @@ fn errors_are_complete_and_true() {
         }
     }
 }
+
+/// Claims that hold of all values, with what a condition on b would not change.
+const TRUE_CLAIMS: [&str; 6] = [
+    "2a = a + a",
+    "(a + b)^2 = a^2 + 2ab + b^2",
+    "a - (b - c) = a - b + c",
+    "ab = ba",
+    "a < a + 1",
+    "(a + 1)^2 > 2a",
+];
+
+/// Comparisons of declared letters.
+const COMPARISONS: [&str; 6] = [
+    "b > 0",
+    "b \\ge 1",
+    "b \\ne 0",
+    "0 < b < 1",
+    "b > c",
+    "c \\le b",
+];
+
+/// What the print says of a clause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Said {
+    Supposed,
+    Claimed,
+    Asked,
+}
+
+/// How a clause is joined to the claim before it, and what it is then; an `&` is a column.
+const JOINTS: [(&str, Said); 24] = [
+    (", \\quad ", Said::Supposed),
+    (", ", Said::Supposed),
+    (" \\text{ for } ", Said::Supposed),
+    (", \\text{ where } ", Said::Supposed),
+    (", \\text{ if } ", Said::Supposed),
+    (" \\\\ \\text{for } ", Said::Supposed),
+    (" && \\text{for } ", Said::Supposed),
+    (" \\quad (", Said::Supposed),
+    (", \\quad (", Said::Supposed),
+    (", \\text{ so that } ", Said::Claimed),
+    (" \\text{ so that } ", Said::Claimed),
+    (", \\text{ hence } ", Said::Claimed),
+    (" \\text{ and thus } ", Said::Claimed),
+    (", \\text{ therefore, } ", Said::Claimed),
+    (" \\text{ and } ", Said::Claimed),
+    (", \\text{ and } ", Said::Claimed),
+    (". \\quad ", Said::Claimed),
+    (" \\\\ ", Said::Claimed),
+    (". \\\\ ", Said::Claimed),
+    ("; \\quad ", Said::Asked),
+    (" \\qquad ", Said::Asked),
+    (" && ", Said::Asked),
+    (", && ", Said::Asked),
+    (", \\\\ ", Said::Asked),
+];
+
+/// A comparison after a claim supposes only where words or marks say so; else it is claimed, or asked about.
+#[test]
+fn a_claim_does_not_vanish_into_a_condition() {
+    let symbols = ["a = {}", "b = {}", "c = {}"];
+    let mut read = Vec::new();
+    for (k, claim) in TRUE_CLAIMS.iter().enumerate() {
+        for (j, (joint, said)) in JOINTS.iter().enumerate() {
+            let comparison = COMPARISONS[(k + j) % COMPARISONS.len()];
+            let close = if joint.ends_with('(') { ")" } else { "" };
+            let latex =
+                format!("\\begin{{aligned}} {claim}{joint}{comparison}{close} \\end{{aligned}}");
+            // A comparison that follows from a claim goes on with claims.
+            let more = format!("{claim}, \\text{{ so that }} {comparison}, \\quad c > 0");
+            match said {
+                Said::Asked => {
+                    assert!(asked(&symbols, &latex), "{latex}");
+                    assert!(asked(&symbols, &more), "{more}");
+                }
+                Said::Supposed | Said::Claimed => read.push((latex, *said)),
+            }
+        }
+    }
+    let claims: Vec<(&str, &str)> = read.iter().map(|(l, _)| ("claim", l.as_str())).collect();
+    let text = document(&symbols, &claims);
+    let audit = audit(&text, quick()).unwrap_or_else(|rejection| panic!("{rejection}"));
+    for (k, equation) in audit.model.equations.iter().enumerate() {
+        let (latex, said) = &read[k];
+        let supposed = *said == Said::Supposed;
+        assert_eq!(equation.assume.is_empty(), !supposed, "{latex}");
+        let mut words = audit.outcomes_of(k).map(|o| o.verdict.word().as_str());
+        let all_hold = words.all(|word| word == "holds");
+        assert_eq!(all_hold, supposed, "{latex}");
+    }
+    assert!(read.len() > 100);
+}
+
+fn asked(symbols: &[&str], claim: &str) -> bool {
+    asked_after(symbols, &[], claim)
+}
+
+/// Whether both readings of a claim are given back, beside these definitions.
+fn asked_after(symbols: &[&str], definitions: &[&str], claim: &str) -> bool {
+    let mut equations: Vec<(&str, &str)> = definitions.iter().map(|d| ("define", *d)).collect();
+    equations.push(("claim", claim));
+    let kinds: Vec<_> = errors(&document(symbols, &equations))
+        .into_iter()
+        .map(|d| d.kind)
+        .collect();
+    is_ambiguous(&kinds)
+}
+
+/// What follows a condition is one too, or both readings are given back.
+#[test]
+fn the_rest_of_a_condition_is_no_claim() {
+    let symbols = ["a = {}", "b = {}", "c = {}"];
+    let first = [
+        " \\text{ for } a = b",
+        " \\text{ for } a > b",
+        ", \\text{ if } a = 1",
+        ", \\text{ where } a > 0",
+        ", \\quad a > 0",
+        ", \\quad a > 0, \\quad b > 0",
+    ];
+    let rest = ["b = 1", "c = a", "c = b = 1", "a = c"];
+    for claim in TRUE_CLAIMS {
+        for first in first {
+            for rest in rest {
+                for comma in [", ", ", \\quad ", "; "] {
+                    let latex = format!("{claim}{first}{comma}{rest}");
+                    assert!(asked(&symbols, &latex), "{latex}");
+                }
+                // What "and" joins to a condition is one.
+                let latex = format!("{claim}{first} \\text{{ and }} {rest}");
+                let found = audit(&document(&symbols, &[("claim", &latex)]), quick());
+                let found = found.unwrap_or_else(|rejection| panic!("{latex}: {rejection}"));
+                assert_eq!(found.model.equations[0].links.len(), 1, "{latex}");
+                let latex = format!("{claim} \\quad ({rest})");
+                assert!(asked(&symbols, &latex), "{latex}");
+            }
+        }
+    }
+    // Behind a condition that comes first stands the claim.
+    for latex in [
+        "\\text{if } a > 0, \\text{ then } |a| = a",
+        "\\text{if } a > 0, \\quad |a| = a",
+        "\\text{for } a > 0, b > 0: \\quad |ab| = ab",
+    ] {
+        let Ok(found) = audit(&document(&symbols, &[("claim", latex)]), quick()) else {
+            assert!(latex.contains(':'), "{latex}");
+            continue;
+        };
+        assert_eq!(found.model.equations[0].links.len(), 1, "{latex}");
+        assert_eq!(
+            found.outcomes[0].verdict.word().as_str(),
+            "holds",
+            "{latex}"
+        );
+    }
+}
+
+/// `F^{-1}(x)` is the inverse function or one over it; `F^2(x)` is a square, which is named.
+#[test]
+fn powers_of_functions_are_asked_about_or_named() {
+    let symbols = [
+        "x = {}",
+        "y = {}",
+        "'\\xi' = {}",
+        "t = {}",
+        "q = { function_of = \"t\" }",
+    ];
+    let bodies = [
+        "2\\xi",
+        "\\xi + 1",
+        "\\exp \\xi",
+        "y\\xi",
+        "\\frac{1}{1 + \\xi^2}",
+        "\\xi^3",
+    ];
+    let names = ["F", "G", "h", "\\Phi", "F_1", "\\tilde{f}"];
+    let arguments = ["x", "\\xi", "2\\xi", "\\xi + y", "\\xi^2", "1"];
+    let products = ["2x", "x + y", "y^2", "xy"];
+    for (k, body) in bodies.iter().enumerate() {
+        for (j, name) in names.iter().enumerate() {
+            let argument = arguments[(k + j) % arguments.len()];
+            let definition = format!("{name}(\\xi) = {body}");
+            let doubtful = [
+                format!("{name}^{{-1}}({argument}) = x"),
+                format!("y = {name}^{{-1}}({name}({argument}))"),
+                format!("x {name}^{{-1}} = x"),
+                format!("y + 2{name}^{{-1}}(\\xi)^2 = x"),
+            ];
+            // Not even a function with an argument: the square may be a factor.
+            let product = products[(k + j) % products.len()];
+            let factor = format!("{name}^2({product}) = x");
+            for latex in doubtful.into_iter().chain([factor]) {
+                assert!(asked_after(&symbols, &[&definition], &latex), "{latex}");
+            }
+            let mut signature = signature(&["x", "y", "\\xi"]);
+            signature.declare_definitions(&definition);
+            let (square, readings) = printed(&format!("{name}^2({argument}) = x"), &signature);
+            let spelt = tree(&format!("{name}({argument})^2 = x"), &signature);
+            assert_eq!(square, spelt);
+            assert_eq!(readings.len(), 1, "{name}^2({argument})");
+            let (_, readings) = printed(&format!("{name}({argument})^{{-1}} = x"), &signature);
+            assert!(readings.is_empty(), "{readings:?}");
+        }
+    }
+    // A function of the time cannot be put into itself, and a matrix has no inverse but one.
+    let mut of_time = signature(&["x", "y", "t"]);
+    let t = parse_name("t", 0).expect("a name");
+    for name in ["q", "\\mathbf{M}"] {
+        of_time.declare_function(
+            &parse_name(name, 0).expect("a name"),
+            std::slice::from_ref(&t),
+        );
+    }
+    for latex in [
+        "q^2(t) = x",
+        "\\mathbf{M}^{-1}(t) = x",
+        "\\mathbf{M}^2(t) = x",
+    ] {
+        assert!(printed(latex, &of_time).1.is_empty(), "{latex}");
+    }
+}
+
+/// Where another letter than its own varies, a function without its argument is not its value at its own.
+#[test]
+fn functions_need_their_arguments_where_these_matter() {
+    let symbols = ["x = {}", "y = {}", "'\\xi' = {}", "a = { positive = true }"];
+    let bodies = [
+        "\\xi^3",
+        "2\\xi + 1",
+        "a\\xi^2",
+        "\\exp \\xi",
+        "\\cos a\\xi",
+    ];
+    for (k, body) in bodies.iter().enumerate() {
+        for name in ["f", "F", "\\psi", "u_1"] {
+            let definition = format!("{name}(\\xi) = {body}");
+            let v = ["x", "y"][k % 2];
+            for latex in [
+                format!("\\frac{{\\mathrm{{d}}{name}}}{{\\mathrm{{d}}{v}}} = 0"),
+                format!("\\frac{{\\mathrm{{d}}^2{name}}}{{\\mathrm{{d}}{v}^2}} = 0"),
+                format!("\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}{v}}}(x + {name}) = 1"),
+                format!("\\frac{{\\partial {name}}}{{\\partial {v}}} = 0"),
+                format!("\\int_0^1 {name}\\,\\mathrm{{d}}{v} = {name}"),
+                format!("\\int_0^1 {v}{name}\\,\\mathrm{{d}}{v} = \\frac{{1}}{{2}}{name}"),
+                format!("\\int_0^1 2{name}'\\,\\mathrm{{d}}{v} = 0"),
+                format!("{v} \\to 0, \\quad {name} \\to 0"),
+                format!("{v} \\to 1, \\quad {v}{name} \\to {name}"),
+                format!("\\sum_{{{v}=1}}^2 {name} = 2{name}"),
+            ] {
+                assert!(
+                    asked_after(&symbols, &[&definition], &latex),
+                    "{latex}: {definition}"
+                );
+            }
+            let mut read = vec![
+                format!("\\frac{{\\mathrm{{d}}{name}}}{{\\mathrm{{d}}\\xi}} = {name}'"),
+                format!("\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}{v}}} {name}({v}) = {name}'({v})"),
+                format!("\\xi \\to 0, \\quad {name} \\to {name}(0)"),
+                format!("\\sum_{{k=1}}^3 {name} = 3{name}"),
+                format!("{name} = {body}"),
+            ];
+            if body.contains('a') {
+                read.push(format!("\\frac{{\\partial {name}}}{{\\partial a}} - \\frac{{\\partial {name}(\\xi)}}{{\\partial a}} = 0"));
+            }
+            let mut equations = vec![("define", definition.as_str())];
+            equations.extend(read.iter().map(|latex| ("claim", latex.as_str())));
+            let found = errors(&document(&symbols, &equations));
+            assert_eq!(found, [], "{definition}");
+        }
+    }
+}
+
+/// A bracket directly behind the bracket of a function may belong to its argument.
+#[test]
+fn a_bracket_behind_the_bracket_of_a_function_is_asked_about() {
+    let mut draw = Draw(6);
+    let signature = signature(&LETTERS);
+    let functions = [
+        "\\operatorname{Re}",
+        "\\operatorname{Im}",
+        "\\operatorname{tr}",
+        "\\det",
+        "\\ln",
+        "\\sin",
+        "\\cos",
+        "\\exp",
+        "\\tan",
+        "\\cosh",
+        "\\Re",
+        "\\sin^2",
+        "\\ln^2",
+    ];
+    for function in functions {
+        for _ in 0..10 {
+            let [a, b, c] = [0; 3].map(|_| draw.from(&LETTERS));
+            let space = draw.from(&SPACES);
+            for latex in [
+                format!("y = {function}({a} + {b})({a} - {b})"),
+                format!("y = {function}({a})({c})"),
+                format!("{function}[{a}]({b} + 1) = {c}"),
+                format!("{function}\\left({a}\\right)\\left[{b} + {c}\\right] = 0"),
+                format!("y = 2{function}({a})({b})^2"),
+            ] {
+                assert!(is_ambiguous(&refused(&latex, &signature)), "{latex}");
+            }
+            let spelt = tree(
+                &format!("y = {function}({a}) \\cdot ({b} + {c})"),
+                &signature,
+            );
+            let spaced = tree(
+                &format!("y = {function}({a}){space}({b} + {c})"),
+                &signature,
+            );
+            assert_eq!(spelt, spaced);
+            for latex in [
+                format!("y = {function}({a}){b}"),
+                format!("y = {function}({a})\\cos({b})"),
+                format!("y = ({b} + {c}){function}({a})"),
+                format!("y = {function}({a})/({b} + {c})"),
+                format!("y = {function}(({a})({b}))"),
+            ] {
+                tree(&latex, &signature);
+            }
+        }
+    }
+}
+
+/// The dot between two columns is their scalar product, which is named; a cross and a square are asked about.
+#[test]
+fn dots_between_columns_are_scalar_products() {
+    let mut sizes = Vec::new();
+    for n in ["2", "3"] {
+        sizes.push(vec![
+            format!("'\\mathbf{{u}}' = {{ shape = [{n}, 1] }}"),
+            format!("'\\mathbf{{v}}' = {{ shape = [{n}, 1] }}"),
+            format!("'\\mathbf{{w}}' = {{ shape = [{n}, 1] }}"),
+            format!("'\\mathbf{{A}}' = {{ shape = [{n}, {n}] }}"),
+            format!("'\\mathbf{{B}}' = {{ shape = [{n}, {n}] }}"),
+            "a = {}".to_owned(),
+            "b = {}".to_owned(),
+        ]);
+    }
+    let columns = ["\\mathbf{u}", "\\mathbf{v}", "\\mathbf{w}"];
+    for symbols in &sizes {
+        let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
+        let mut claims: Vec<(String, bool)> = Vec::new();
+        for x in columns {
+            for y in columns.into_iter().filter(|y| *y != x) {
+                let z = columns
+                    .into_iter()
+                    .find(|z| *z != x && *z != y)
+                    .unwrap_or(x);
+                for (left, right) in [
+                    (format!("{x}\\cdot {y}"), format!("{x}^T{y}")),
+                    (format!("{x}\\cdot {y}"), format!("{y}\\cdot {x}")),
+                    (format!("a{x}\\cdot {y}"), format!("{x}\\cdot a{y}")),
+                    (
+                        format!("({x} + {y})\\cdot {z}"),
+                        format!("{x}\\cdot {z} + {y}\\cdot {z}"),
+                    ),
+                    (
+                        format!("\\mathbf{{A}}{x}\\cdot {y}"),
+                        format!("{x}\\cdot\\mathbf{{A}}^T{y}"),
+                    ),
+                    (
+                        format!("(\\mathbf{{A}}{x})\\cdot {y}"),
+                        format!("{y}^T\\mathbf{{A}}{x}"),
+                    ),
+                    (format!("({x}\\cdot {y}){z}"), format!("{z}{x}^T{y}")),
+                    (format!("a\\cdot {x}"), format!("{x}a")),
+                    (format!("{x}\\cdot {y}^T"), format!("{x}{y}^T")),
+                    (format!("{x}^T\\cdot {y}"), format!("{x}^T{y}")),
+                    (
+                        "\\mathbf{A}\\cdot\\mathbf{B}".to_owned(),
+                        "\\mathbf{A}\\mathbf{B}".to_owned(),
+                    ),
+                    (
+                        format!("\\mathbf{{A}}\\cdot {x}"),
+                        format!("\\mathbf{{A}}{x}"),
+                    ),
+                ] {
+                    claims.push((format!("{left} = {right}"), true));
+                    claims.push((format!("2 {left} = {right}"), false));
+                }
+                for latex in [
+                    format!("{x}\\times {y} = -{y}\\times {x}"),
+                    format!("a = {x}\\cdot({y}\\times {z})"),
+                    format!("{x}^2 = {x}^T{x}"),
+                    format!("a = b({x} + {y})^2"),
+                    format!("a{x}\\times b{y} = \\mathbf{{0}}"),
+                ] {
+                    assert!(asked(&symbols, &latex), "{latex}");
+                }
+            }
+        }
+        let equations: Vec<(&str, &str)> =
+            claims.iter().map(|(l, _)| ("claim", l.as_str())).collect();
+        let found = verdicts(&document(&symbols, &equations));
+        assert_eq!(found.len(), claims.len());
+        for ((latex, is_true), (_, word)) in claims.iter().zip(&found) {
+            match is_true {
+                true => assert_eq!(*word, "holds", "{latex}"),
+                false => assert!(
+                    matches!(*word, "refuted" | "misprint" | "holds given"),
+                    "{latex}: {word}"
+                ),
+            }
+        }
+    }
+    // Columns that are printed entry by entry, and bold letters whose shape is not printed.
+    let symbols = ["a = {}", "b = {}", "'\\mathbf{A}' = { shape = [2, 2] }"];
+    let definitions = [
+        "\\mathbf{p} = \\begin{bmatrix} a \\\\ b \\end{bmatrix}",
+        "\\mathbf{q} = \\mathbf{A}\\mathbf{p}",
+        "\\mathbf{C} = \\begin{bmatrix} a & b \\\\ b & a \\end{bmatrix}",
+    ];
+    for latex in [
+        "\\mathbf{p}\\cdot\\mathbf{q} = \\mathbf{p}^T\\mathbf{q}",
+        "\\mathbf{q}\\cdot\\mathbf{p} = a",
+        "\\mathbf{q}\\cdot\\mathbf{q} = a",
+        "\\mathbf{p}\\times\\mathbf{q} = a",
+        "\\mathbf{p}^2 = a^2 + b^2",
+    ] {
+        assert!(asked_after(&symbols, &definitions, latex), "{latex}");
+    }
+    let mut equations: Vec<(&str, &str)> = definitions.iter().map(|d| ("define", *d)).collect();
+    equations.extend([
+        ("claim", "\\mathbf{p}\\cdot\\mathbf{p} = a^2 + b^2"),
+        (
+            "claim",
+            "\\mathbf{C}\\cdot\\mathbf{p} = \\mathbf{C}\\mathbf{p}",
+        ),
+        ("claim", "\\mathbf{C}^2 = \\mathbf{C}\\mathbf{C}"),
+        (
+            "claim",
+            "\\mathbf{p}\\cdot\\mathbf{C}\\mathbf{p} = \\mathbf{p}^T\\mathbf{C}\\mathbf{p}",
+        ),
+    ]);
+    let found = verdicts(&document(&symbols, &equations));
+    assert!(
+        found
+            .iter()
+            .all(|(_, word)| matches!(*word, "holds" | "definition")),
+        "{found:?}"
+    );
+}
+
+/// Logarithms without a base, expectations that may be products, indices with a zero before them.
+#[test]
+fn logarithms_expectations_and_indices_are_asked_about() {
+    let mut draw = Draw(7);
+    let plain = signature(&LETTERS);
+    for _ in 0..40 {
+        let [a, b] = [0; 2].map(|_| draw.from(&LETTERS));
+        let n = draw.number(2, 99);
+        for latex in [
+            format!("\\log {n} = {a}"),
+            format!("y = {n}\\log {a}"),
+            format!("\\log({a}{b}) = \\log {a} + \\log {b}"),
+            format!("y = \\mathrm{{log}}({a})"),
+            format!("y = \\log^2 {a}"),
+        ] {
+            assert!(is_ambiguous(&refused(&latex, &plain)), "{latex}");
+        }
+        tree(&format!("y = {n}\\ln {a} + \\ln {b}"), &plain);
+        // The letter E of a table or an equation, and one that runs.
+        let mut table = plain.clone();
+        table.declare(&parse_name("E", 0).expect("a name"));
+        let mut defined = plain.clone();
+        defined.declare_definitions(&format!("E = {n}"));
+        for latex in [
+            format!("E\\{{{a} + {b}\\}} = y"),
+            format!("y = {n}E\\{{{a}\\}}"),
+            format!("y = E\\left\\{{{a} - 1\\right\\}}"),
+        ] {
+            for signature in [&table, &defined] {
+                assert!(is_ambiguous(&refused(&latex, signature)), "{latex}");
+            }
+            tree(&latex, &plain);
+        }
+        let latex = format!("\\sum_{{E=1}}^{n} E\\{{{a}\\}} = y")
+            .replace(&format!("^{n}"), &format!("^{{{n}}}"));
+        assert!(is_ambiguous(&refused(&latex, &plain)), "{latex}");
+        for signature in [&table, &defined, &plain] {
+            tree(&format!("y = E({a} + {b})"), signature);
+        }
+    }
+    for k in 1..=9 {
+        let symbols = [
+            format!("A_{k} = {{}}"),
+            "'\\mathbf{B}' = { shape = [9, 9] }".to_owned(),
+        ];
+        let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
+        for latex in [format!("A_{{0{k}}} = 0"), format!("A_{k} = A_{{00{k}}}")] {
+            let found = errors(&document(&symbols, &[("claim", &latex)]));
+            let named = |d: &Diagnostic| {
+                matches!(&d.kind, DiagnosticKind::UndeclaredName { name } | DiagnosticKind::Undefined { name }
+                    if name.contains(&format!("0{k}")))
+            };
+            assert!(
+                !found.is_empty() && found.iter().all(named),
+                "{latex}: {found:?}"
+            );
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Functions applied to arguments: which bracket after a name holds arguments, and which a factor.
 
 use super::{Parse, Parser, starts_name};
-use crate::expr::{Bracket, Expr, ExprKind, Name};
+use crate::expr::{Bracket, Expr, ExprKind, Font, Name};
 use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::vocabulary;
 use crate::span::Span;
@@ -59,11 +59,12 @@ impl Parser<'_> {
         match (variables.is_empty(), mentioned, raised) {
             (_, true, _) | (true, _, false) => Ok(Some(Applied::Declared)),
             // M^{-1}(K + N): a power of the function at no argument, and a factor.
-            (false, false, true) => Ok(None),
+            (false, false, true) if name.letter.font == Font::Bold => Ok(None),
+            (false, false, true) if !self.signature.is_formal(name) => Ok(None),
             (false, false, false) if self.signature.is_always_applied(name) => {
                 Ok(Some(Applied::AsElsewhere))
             }
-            (false, false, false) | (true, false, true) => Err(ambiguous()),
+            (false, false, _) | (true, false, true) => Err(ambiguous()),
         }
     }
 

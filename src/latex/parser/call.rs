@@ -5,20 +5,29 @@ use crate::diagnostic::Diagnostic;
 use crate::expr::{Bracket, Expr, ExprKind, Function, Sign};
 use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::vocabulary::{self, Environment};
+use crate::span::Span;
 use num_traits::{One, Signed};
 
 impl Parser<'_> {
     /// `\det\mathbf{H}`, `\cos \beta\xi`, `\sin^2 x`, `\sqrt{x}`; the name of the function is next.
     pub(super) fn call(&mut self, function: Function) -> Parse<Expr> {
         let start = self.here();
+        if let Some(Token::Command(name) | Token::Text(name)) = self.peek()
+            && name == "log"
+        {
+            let readings = [
+                "the natural logarithm, written \\ln",
+                "the decimal logarithm, written \\frac{\\ln x}{\\ln 10}",
+            ];
+            return Err(self.ambiguous(readings, start));
+        }
         self.position += 1;
         let mut exponent = None;
         if self.at_symbol('^') {
             self.position += 1;
             let found = self.argument(true)?;
             if is_minus_one(&found) {
-                let readings = ["the inverse function", "one over the function"];
-                return Err(self.ambiguous(readings, found.span));
+                return Err(self.inverse(found.span));
             }
             exponent = Some(found);
         }
@@ -39,6 +48,13 @@ impl Parser<'_> {
         let call = Expr::new(kind, self.since(start));
         if !bracketed && self.argument_may_continue() {
             return Err(self.reach());
+        }
+        if bracketed && function != Function::SquareRoot && self.at_tight_bracket() {
+            let readings = [
+                "the function of the first bracket",
+                "the function of the product",
+            ];
+            return Err(self.ambiguous(readings, self.since(start).to(self.here())));
         }
         if self.at_symbol('^') {
             // The determinant of a power is the power of the determinant; a cosine's is not.
@@ -66,6 +82,17 @@ impl Parser<'_> {
                 ) | Token::Begin(Environment::Matrix(_))
             )
         )
+    }
+
+    /// Whether a bracket follows with no printed space before it.
+    fn at_tight_bracket(&self) -> bool {
+        let opens = matches!(self.peek(), Some(Token::Open(_))) && self.at_bracket();
+        opens && !self.lexemes[self.position].gap
+    }
+
+    /// What to say of the exponent -1 of a function.
+    pub(super) fn inverse(&self, span: Span) -> Box<Diagnostic> {
+        self.ambiguous(["the inverse function", "one over the function"], span)
     }
 
     fn bracket_argument(&mut self) -> Parse<Expr> {
@@ -124,7 +151,8 @@ impl Parser<'_> {
     }
 }
 
-fn is_minus_one(expr: &Expr) -> bool {
+/// Whether an exponent is -1.
+pub(super) fn is_minus_one(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Sum(terms) => match terms.as_slice() {
             [(Sign::Minus, one)] => {

@@ -2,9 +2,10 @@
 
 use super::{Parse, Parser};
 use crate::diagnostic::DiagnosticKind;
-use crate::expr::{Bracket, Chain, Clause, Expr, ExprKind, IndexRange, Name, Relation};
+use crate::expr::{Bracket, Chain, Clause, Expr, ExprKind, IndexRange, Name, Relation, Separation};
 use crate::latex::layout::is_relation;
 use crate::latex::lexer::{Delimiter, Token};
+use crate::latex::signature::{Head, Shape};
 use crate::latex::vocabulary::{self, Environment};
 use num_rational::BigRational;
 use num_traits::One;
@@ -56,8 +57,12 @@ impl Parser<'_> {
     fn skip_separators(&mut self) {
         loop {
             if self.peek().is_some_and(Self::is_separator) {
-                if let Some(Token::Text(word)) = self.peek() {
-                    self.joined = Some(word.trim().trim_end_matches(',').to_owned());
+                match self.peek() {
+                    Some(Token::Text(word)) => {
+                        self.joined = Some(word.trim().trim_end_matches(',').to_owned());
+                    }
+                    Some(mark) => self.separation = separated(self.separation, mark),
+                    None => {}
                 }
                 self.position += 1;
             } else if self.at_bare_and() {
@@ -123,7 +128,10 @@ impl Parser<'_> {
             (Some(Token::Open(_)), _) if self.is_bracketed_clause() => {
                 let close = self.partner[self.position];
                 self.position += 1;
-                self.nested(|parser| parser.clauses(clauses))?;
+                let outside = std::mem::replace(&mut self.bracketed, true);
+                let held = self.nested(|parser| parser.clauses(clauses));
+                self.bracketed = outside;
+                held?;
                 self.close(close)
             }
             _ => self.clause(clauses),
@@ -166,7 +174,7 @@ impl Parser<'_> {
 
     /// What the display defines: `a = ...`, `f(t) = ...` at the beginning of an equation, and
     /// the names under braces.
-    pub(in crate::latex) fn heads(&mut self) -> Vec<(Name, Vec<Name>)> {
+    pub(in crate::latex) fn heads(&mut self) -> Vec<Head> {
         let mut heads = Vec::new();
         let mut begins = true;
         for position in 0..self.lexemes.len() {
@@ -201,7 +209,7 @@ impl Parser<'_> {
     }
 
     /// A name, perhaps with arguments that are names, before an equals sign or the end of a label.
-    fn head(&mut self, braced: bool) -> Option<(Name, Vec<Name>)> {
+    fn head(&mut self, braced: bool) -> Option<Head> {
         let name = self.lone_name().ok()?;
         let mut arguments = Vec::new();
         if self.at(&Token::Open(Delimiter::Visible(Bracket::Round))) {
@@ -216,13 +224,44 @@ impl Parser<'_> {
             self.position += 1;
         }
         let ends = self.at_symbol('=') || braced && self.at(&Token::Close(Delimiter::Brace));
-        ends.then_some((name, arguments))
+        ends.then(|| Head {
+            shape: self.shape_behind(),
+            name,
+            arguments,
+        })
+    }
+
+    /// The shape of the matrix that is all that stands behind the equals sign.
+    fn shape_behind(&self) -> Option<Shape> {
+        let open = self.position + 1;
+        let Token::Begin(Environment::Matrix(_)) = self.lexemes.get(open)?.token else {
+            return None;
+        };
+        let close = self.partner[open];
+        let ends = |token: &Token| {
+            Self::is_separator(token)
+                || is_relation(token)
+                || matches!(token, Token::End(_) | Token::Close(_))
+        };
+        if self
+            .lexemes
+            .get(close + 1)
+            .is_some_and(|next| !ends(&next.token))
+        {
+            return None;
+        }
+        let inside = |mark: &Token| self.lexemes[open..close].iter().any(|l| l.token == *mark);
+        Some(match inside(&Token::Symbol('&')) {
+            false if inside(&Token::RowBreak) => Shape::Column,
+            _ => Shape::Matrix,
+        })
     }
 
     fn clause(&mut self, clauses: &mut Vec<Clause>) -> Parse<()> {
         let heading = self.heading();
         self.skip_separators();
         let joined = self.joined.take();
+        let separation = std::mem::take(&mut self.separation);
         let chain = self.chain()?;
         if let Some(range) = self.range(&chain)? {
             return match clauses.last_mut() {
@@ -250,6 +289,8 @@ impl Parser<'_> {
         clauses.push(Clause {
             heading,
             joined,
+            separation,
+            bracketed: self.bracketed,
             chain,
             ranges: Vec::new(),
             remark,
@@ -403,5 +444,18 @@ impl Parser<'_> {
             step,
             to,
         }))
+    }
+}
+
+/// What separates clauses once this mark was read too.
+fn separated(before: Separation, mark: &Token) -> Separation {
+    match (mark, before) {
+        (Token::Symbol('.'), _) => Separation::FullStop,
+        (Token::Symbol(';'), _) => Separation::Semicolon,
+        (Token::Symbol(','), _) => Separation::Comma,
+        (Token::RowBreak, Separation::None | Separation::Space) => Separation::Line,
+        (Token::RowBreak, Separation::Comma) => Separation::CommaAndLine,
+        (Token::Space(_), Separation::None) => Separation::Space,
+        (_, before) => before,
     }
 }

@@ -13,6 +13,7 @@ mod name;
 mod operator;
 mod script;
 mod slash;
+mod vector;
 
 pub(super) use operator::begins_with_bracket;
 pub(super) use script::is_mark;
@@ -25,8 +26,11 @@ use super::lexer::{Delimiter, Lexeme, Token};
 use super::signature::Signature;
 use super::vocabulary;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::{Bracket, Chain, Expr, ExprKind, QuotientStyle, Relation, Sign};
+use crate::expr::{
+    Bracket, Chain, Expr, ExprKind, Name, QuotientStyle, Relation, Separation, Sign,
+};
 use crate::span::Span;
+use vector::Dot;
 
 /// What was read, or why it could not be.
 type Parse<T> = Result<T, Box<Diagnostic>>;
@@ -50,6 +54,12 @@ pub(super) struct Parser<'s> {
     in_bars: bool,
     /// The word before the clause that is read next, such as "for".
     joined: Option<String>,
+    /// What separates that clause from the one before it.
+    separation: Separation,
+    /// Whether the clauses that are read stand in brackets of their own.
+    bracketed: bool,
+    /// The running indices of the sums that are read.
+    running: Vec<Name>,
     /// What was read in one of several ways.
     readings: Vec<Reading>,
     diagnostics: Vec<Diagnostic>,
@@ -69,6 +79,9 @@ impl<'s> Parser<'s> {
             open_integrals: 0,
             in_bars: false,
             joined: None,
+            separation: Separation::None,
+            bracketed: false,
+            running: Vec::new(),
             readings: Vec::new(),
             diagnostics: Vec::new(),
         }
@@ -265,9 +278,16 @@ impl<'s> Parser<'s> {
     fn term(&mut self) -> Parse<Expr> {
         let start = self.here();
         let mut factors = self.run()?;
-        while self.at_command("cdot") || self.at_command("times") {
+        loop {
+            let sign = match self.peek() {
+                Some(Token::Command(c)) if c == "cdot" => Dot::Scalar,
+                Some(Token::Command(c)) if c == "times" => Dot::Cross,
+                _ => break,
+            };
+            let left = self.since(start);
             self.position += 1;
-            factors.extend(self.run()?);
+            let right = self.run()?;
+            factors = self.multiplied(factors, sign, right, left)?;
         }
         Ok(product(factors, self.since(start)))
     }

@@ -1,6 +1,7 @@
 //! Names: letters with typeface, accent and dots, their indices, exponents and arguments.
 
 use super::apply::Applied;
+use super::call::is_minus_one;
 use super::{Parse, Parser};
 use crate::diagnostic::DiagnosticKind;
 use crate::expr::{Bracket, Expr, ExprKind, Font, Letter, Name};
@@ -155,7 +156,7 @@ impl Parser<'_> {
             }
         }
         let scripted = self.since(start);
-        if self.is_expectation(&name) {
+        if self.is_expectation(&name, scripted)? {
             let mut inner = self.bracketed()?;
             if let ExprKind::Group { inner: held, .. } = inner.kind {
                 inner = *held;
@@ -166,6 +167,10 @@ impl Parser<'_> {
         }
         if let Some(why) = self.at_arguments(&name, scripted, exponent.is_some())? {
             let arguments = self.arguments()?;
+            let chosen = match &exponent {
+                Some(exponent) => self.raises_value(&name, &arguments, exponent)?,
+                None => false,
+            };
             let kind = ExprKind::Apply {
                 function: name,
                 arguments,
@@ -175,13 +180,37 @@ impl Parser<'_> {
                 Applied::Declared => {}
                 Applied::AsElsewhere => self.note_reading(&base),
             }
-            return self.raised_by(base, exponent);
+            let raised = self.raised_by(base, exponent)?;
+            if chosen {
+                self.note_reading(&raised);
+            }
+            return Ok(raised);
+        }
+        if let Some(exponent) = &exponent
+            && is_minus_one(exponent)
+            && name.letter.font != Font::Bold
+            && self.signature.is_formal(&name)
+        {
+            return Err(self.inverse(exponent.span));
         }
         let base = Expr::new(ExprKind::Name(name), scripted);
         match exponent {
             Some(exponent) => self.raise(base, exponent),
             None => Ok(base),
         }
+    }
+
+    /// Whether `f^2(x)` is a choice: the square of f(x), and not f(f(x)), by the convention of `\sin^2 x`. Of
+    /// `f^{-1}(x)` there is none. A matrix has no inverse but that of its value, and what has several
+    /// arguments, or is declared as a function of the time, cannot be put into itself.
+    fn raises_value(&self, name: &Name, arguments: &[Expr], exponent: &Expr) -> Parse<bool> {
+        if name.letter.font == Font::Bold || arguments.len() != 1 {
+            return Ok(false);
+        }
+        if is_minus_one(exponent) {
+            return Err(self.inverse(exponent.span));
+        }
+        Ok(self.signature.is_formal(name))
     }
 
     fn index_or_prime(&mut self, name: &mut Name) -> Parse<()> {
@@ -237,17 +266,25 @@ impl Parser<'_> {
         u8::try_from(inner.len()).unwrap_or(u8::MAX)
     }
 
-    fn is_expectation(&self, name: &Name) -> bool {
+    fn is_expectation(&self, name: &Name, span: Span) -> Parse<bool> {
         let Some(Token::Open(Delimiter::Visible(bracket) | Delimiter::Stretched(bracket))) =
             self.peek()
         else {
-            return false;
+            return Ok(false);
         };
         let letter = &name.letter;
         let conventional = letter.base == "E"
             && matches!(letter.font, Font::Roman | Font::Blackboard)
             && !self.signature.is_declared(name)
             && *bracket != Bracket::None;
-        conventional || *bracket == Bracket::Curly && self.signature.is_expectation(name)
+        let curly = *bracket == Bracket::Curly && self.signature.is_expectation(name);
+        let known = self.signature.is_declared(name)
+            || self.signature.is_function(name)
+            || self.running.contains(name);
+        if curly && known {
+            let span = span.to(self.lexemes[self.partner[self.position]].span);
+            return Err(self.ambiguous(["the expectation", "a product with the letter"], span));
+        }
+        Ok(conventional || curly)
     }
 }

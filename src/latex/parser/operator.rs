@@ -189,7 +189,10 @@ impl Parser<'_> {
         let Some(to) = last else {
             return Err(self.unexpected("^{last value}"));
         };
-        let body = self.term()?;
+        self.running.push(index.clone());
+        let body = self.term();
+        self.running.pop();
+        let body = body?;
         let kind = ExprKind::BigSum {
             index,
             from: Box::new(from),

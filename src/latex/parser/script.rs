@@ -46,6 +46,14 @@ impl Parser<'_> {
             }
             _ => Vec::new(),
         };
+        // `A_{01}` is not `A_1`.
+        let counted = self.lexemes[open..close]
+            .iter()
+            .all(|lexeme| match &lexeme.token {
+                Token::Number(digits) => digits.len() < 2 || !digits.starts_with('0'),
+                _ => true,
+            });
+        let indices = if counted { indices } else { Vec::new() };
         self.diagnostics.truncate(complaints);
         if indices.is_empty() {
             self.readings.truncate(readings);
@@ -169,6 +177,17 @@ impl Parser<'_> {
         if is_mark(&base, &exponent) {
             let readings = ["a mark in brackets, or so many derivatives", "a power"];
             return Err(self.ambiguous(readings, exponent.span));
+        }
+        if let ExprKind::Number(number) = &exponent.kind
+            && number.is_integer()
+            && !number.is_one()
+            && self.is_column(&base)
+        {
+            let readings = [
+                "the scalar product with itself, written \\mathbf{u}^T\\mathbf{u}",
+                "a power of a matrix",
+            ];
+            return Err(self.ambiguous(readings, span));
         }
         if let ExprKind::Name(letter) = &exponent.kind
             && self.transposes(&base, letter, exponent.span)?

@@ -45,6 +45,17 @@ pub(super) fn ends_in_bare_argument(expr: &Expr) -> bool {
     }
 }
 
+/// Whether a function stands at the right end whose argument a bracket behind it may belong to.
+fn ends_in_call(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Call { function, .. } => {
+            !matches!(function, Function::SquareRoot | Function::Absolute)
+        }
+        ExprKind::Power { base, .. } => ends_in_call(base),
+        _ => false,
+    }
+}
+
 /// Whether a bare argument of a function visibly ends before this factor.
 pub(super) fn ends_argument(expr: &Expr) -> bool {
     match &expr.kind {
@@ -155,11 +166,14 @@ impl Writer {
         if self.differential && is_bare_d(before) && final_or_first_name(factor) {
             return true;
         }
-        let Some(name) = final_name(before) else {
-            return false;
-        };
         let opens = |bracket: &str| {
             piece.starts_with(bracket) || piece.starts_with(&format!("\\left{bracket}"))
+        };
+        if ends_in_call(before) && (opens("(") || opens("[") || opens("\\{")) {
+            return true;
+        }
+        let Some(name) = final_name(before) else {
+            return false;
         };
         if name.letter.base == "E" && (opens("\\{") || opens("(") || opens("[")) {
             return true;

@@ -1,0 +1,163 @@
+//! Dots and crosses between columns: the scalar product and the vector product.
+//!
+//! `\mathbf u\cdot\mathbf v` of two columns is their scalar product and is read as
+//! `\mathbf u^T\mathbf v`, which is named; the product of matrices would have no shape. Of the vector
+//! product, of the square of a column, and of bold letters whose shapes are not printed, both readings are
+//! given back. Elsewhere dots and crosses are those of an ordinary product.
+
+use super::{Parse, Parser, product};
+use crate::expr::{Accent, Bracket, Expr, ExprKind, Font, Name};
+use crate::latex::signature::Shape;
+use crate::span::Span;
+
+/// The sign between two factors.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Dot {
+    /// `\cdot`
+    Scalar,
+    /// `\times`
+    Cross,
+}
+
+/// What a factor does to the shape of a product.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// A column.
+    Column,
+    /// A row.
+    Row,
+    /// A number, or a matrix that is neither row nor column: it leaves these what they are.
+    Neutral,
+    /// A bold letter, or a product with one, that may be either.
+    Unknown,
+}
+
+impl Parser<'_> {
+    /// The factors of `left \cdot right` or `left \times right`.
+    pub(super) fn multiplied(
+        &mut self,
+        mut left: Vec<Expr>,
+        dot: Dot,
+        right: Vec<Expr>,
+        start: Span,
+    ) -> Parse<Vec<Expr>> {
+        let maybe = |kind: Kind| matches!(kind, Kind::Column | Kind::Unknown);
+        let kinds = (self.kind_of_all(&left), self.kind_of_all(&right));
+        if !maybe(kinds.0) || !maybe(kinds.1) {
+            left.extend(right);
+            return Ok(left);
+        }
+        let span = self.since(start);
+        if dot == Dot::Cross {
+            let readings = [
+                "the vector product, written with its components",
+                "a product of matrices, written without a cross",
+            ];
+            return Err(self.ambiguous(readings, span));
+        }
+        if kinds != (Kind::Column, Kind::Column) {
+            let readings = [
+                "the scalar product, written \\mathbf{u}^T\\mathbf{v}",
+                "a product of matrices, written without a dot",
+            ];
+            return Err(self.ambiguous(readings, span));
+        }
+        let mut column = product(left, start);
+        if !matches!(
+            column.kind,
+            ExprKind::Name(_) | ExprKind::Apply { .. } | ExprKind::Group { .. }
+        ) {
+            column = grouped(column);
+        }
+        let row = Expr::new(ExprKind::Transpose(Box::new(column)), start);
+        let mut factors = vec![row];
+        factors.extend(right);
+        let scalar = product(factors, span);
+        self.note_reading(&scalar);
+        Ok(vec![grouped(scalar)])
+    }
+
+    /// Whether a base is a column, whose powers are none of a matrix.
+    pub(super) fn is_column(&self, base: &Expr) -> bool {
+        self.kind_of(base) == Kind::Column
+    }
+
+    /// What a product of these is.
+    fn kind_of_all(&self, factors: &[Expr]) -> Kind {
+        let mut kind = Kind::Neutral;
+        for factor in factors {
+            kind = match (kind, self.kind_of(factor)) {
+                (kind, Kind::Neutral) => kind,
+                (Kind::Neutral, kind) => kind,
+                // A number and a matrix.
+                (Kind::Row, Kind::Column) | (Kind::Column, Kind::Row) => Kind::Neutral,
+                // What has no shape is asked for where a dot or cross stands beside it.
+                (Kind::Column | Kind::Unknown, Kind::Column) => Kind::Column,
+                (Kind::Row, Kind::Row | Kind::Unknown) => Kind::Row,
+                (Kind::Unknown, Kind::Row) => Kind::Neutral,
+                (Kind::Column | Kind::Unknown, Kind::Unknown) => Kind::Unknown,
+            };
+        }
+        kind
+    }
+
+    fn kind_of(&self, factor: &Expr) -> Kind {
+        match &factor.kind {
+            ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => {
+                self.kind_of_name(name)
+            }
+            ExprKind::Transpose(inner) => match self.kind_of(inner) {
+                Kind::Column | Kind::Unknown => Kind::Row,
+                Kind::Row => Kind::Column,
+                Kind::Neutral => Kind::Neutral,
+            },
+            ExprKind::Group { inner, .. } | ExprKind::Expectation(inner) => self.kind_of(inner),
+            ExprKind::Derivative { body: inner, .. }
+            | ExprKind::Underbrace { body: inner, .. }
+            | ExprKind::Integral { body: inner, .. }
+            | ExprKind::BigSum { body: inner, .. }
+            | ExprKind::Quotient {
+                numerator: inner, ..
+            } => self.kind_of(inner),
+            ExprKind::Sum(terms) => {
+                let mut kinds = terms.iter().map(|(_, term)| self.kind_of(term));
+                kinds
+                    .find(|kind| *kind != Kind::Neutral)
+                    .unwrap_or(Kind::Neutral)
+            }
+            ExprKind::Product(factors) => self.kind_of_all(factors),
+            ExprKind::Matrix { rows, .. } => match (rows.len(), rows.first().map(Vec::len)) {
+                (2.., Some(1)) => Kind::Column,
+                (1, Some(2..)) => Kind::Row,
+                _ => Kind::Neutral,
+            },
+            ExprKind::Number(_)
+            | ExprKind::Named { .. }
+            | ExprKind::Call { .. }
+            | ExprKind::Power { .. }
+            | ExprKind::Tuple(_)
+            | ExprKind::Cases(_)
+            | ExprKind::Infinity
+            | ExprKind::Constant => Kind::Neutral,
+        }
+    }
+
+    fn kind_of_name(&self, name: &Name) -> Kind {
+        let vector = name.letter.font == Font::Bold || name.letter.accent == Some(Accent::Vector);
+        match self.signature.shape(name) {
+            Some(Shape::Column) => Kind::Column,
+            Some(Shape::Matrix) => Kind::Neutral,
+            None if vector && self.signature.is_defined(name) => Kind::Unknown,
+            None => Kind::Neutral,
+        }
+    }
+}
+
+fn grouped(inner: Expr) -> Expr {
+    let span = inner.span;
+    let kind = ExprKind::Group {
+        bracket: Bracket::Round,
+        inner: Box::new(inner),
+    };
+    Expr::new(kind, span)
+}
