@@ -117,7 +117,8 @@ impl<D: Domain> Evaluator<'_, D> {
                 let result = self.solve_units(system, &shapes, &units, span);
                 self.frame.trial.clear();
                 let solved = result?;
-                if let [(n, _)] = shapes[..]
+                if let [(n, columns)] = shapes[..]
+                    && n == columns
                     && units.len() < n * n
                 {
                     let result = self.refuse_skew_solutions(system, n, span);
