@@ -18,7 +18,7 @@ t = { }
 p = { function_of = 't' }
 q = { function_of = 't' }
 r = { function_of = 't' }
-n = { domain = 'integer' }
+'\xi' = { }
 ```
 ```toml notation
 '\pi' = { constant = 'pi' }
@@ -160,16 +160,19 @@ e = { constant = 'e' }
                 base => format!("{base}^{letter}"),
             };
             claims.push(Claim::plain(format!("{raised} = {base}"), Open));
-            claims.push(Claim::plain(format!("K{raised} = K{base}"), Open));
+            claims.push(Claim::plain(
+                format!(r"K \cdot {raised} = K \cdot {base}"),
+                Open,
+            ));
             claims.push(Claim::plain(format!("{raised} + y = {base} + y"), Open));
             claims.push(Claim::plain(format!("{raised} = {base} + 1"), Open));
         }
     }
     for base in ["K", "Kx", "K + x"] {
         for n in 2..=10 {
-            let sum = format!(r"\sum_{{t=1}}^{n} \frac{{{base}}}{{(1 + x)^t}}");
+            let sum = format!(r"\sum_{{t=1}}^{{{n}}} \frac{{{base}}}{{(1 + x)^t}}");
             claims.push(Claim::plain(
-                format!(r"{sum} = \frac{{{n}({base})}}{{1 + x}}"),
+                format!(r"{sum} = {n} \cdot \frac{{{base}}}{{1 + x}}"),
                 Open,
             ));
             claims.push(Claim::plain(format!("{sum} = {n}({base})"), Open));

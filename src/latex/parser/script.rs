@@ -2,7 +2,7 @@
 
 use super::{Parse, Parser, starts_name};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::{Bracket, Expr, ExprKind, Font, Letter, Name, Sign, Subscript};
+use crate::expr::{Bracket, Expr, ExprKind, Font, Function, Letter, Name, Sign, Subscript};
 use crate::latex::lexer::{Delimiter, Token};
 use crate::latex::{vocabulary, writer};
 use crate::span::Span;
@@ -294,6 +294,11 @@ pub(crate) fn is_matrix_like(expr: &Expr) -> bool {
         ExprKind::Apply { function, .. } => function.letter.font == Font::Bold,
         ExprKind::Group { inner, .. } | ExprKind::Transpose(inner) => is_matrix_like(inner),
         ExprKind::Power { base, .. } => is_matrix_like(base),
+        // det A^T means the same both ways.
+        ExprKind::Call {
+            function: Function::Determinant | Function::Trace,
+            argument,
+        } => is_matrix_like(argument),
         ExprKind::Sum(terms) => terms.iter().any(|(_, term)| is_matrix_like(term)),
         ExprKind::Product(factors) => factors.iter().any(is_matrix_like),
         _ => false,
