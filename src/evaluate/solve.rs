@@ -1,7 +1,8 @@
 //! `solve` blocks: linear equations for scalars or matrices, solved exactly.
 //!
 //! The equation's two sides are evaluated with the unknowns at zero and at each unit, which gives
-//! the linear system whatever the equation looks like. That it is linear is proved (see [`super::linear`]). The shape of an unknown matrix is the one that fits.
+//! the linear system whatever the equation looks like. That it is linear is proved (see [`super::linear`]). The shape of an
+//! unknown matrix is the one that fits.
 //! Where the map is X -> A X + X A^T, however it is printed, the matrix polynomial of
 //! [`crate::theory::lyapunov`] gives the solution. Where the equation is symmetric under transposition
 //! of its unknown, n (n + 1) / 2 unknowns do instead of n^2, and that it has no other solution is shown by the skew ones.
