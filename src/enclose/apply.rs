@@ -82,7 +82,7 @@ impl Evaluator<'_, '_> {
         if let [argument] = arguments
             && let Some(at) = literal_number(argument)
             && model.has_values_at(&at)
-            && !node.is_some_and(|node| model.is_function_of_no_time(node))
+            && !node.is_some_and(|node| model.is_function_of_no_time(node, &at))
         {
             let layer = LayerKind::At(at);
             return self.with_layer(layer, |e| e.name(function, span));

@@ -132,7 +132,7 @@ impl<D: Domain> Evaluator<'_, D> {
         if let [argument] = arguments
             && let Some(at) = literal_number(argument)
             && self.model.has_values_at(&at)
-            && !node.is_some_and(|node| self.model.is_function_of_no_time(node))
+            && !node.is_some_and(|node| self.model.is_function_of_no_time(node, &at))
         {
             return self.taken_at(function, &at, span);
         }

@@ -13,6 +13,7 @@ mod failure;
 mod frame;
 mod function;
 mod index;
+mod linear;
 mod memo;
 mod nodes;
 mod operations;

@@ -1,10 +1,8 @@
 //! `solve` blocks: linear equations for scalars or matrices, solved exactly.
 //!
 //! The equation's two sides are evaluated with the unknowns at zero and at each unit, which gives
-//! the linear system whatever the equation looks like. That it is linear is proved: by the way it is put together
-//! ([`crate::model::degree`]), or, where that gives a degree d beyond one, by its values at all points of the unknowns
-//! with coordinates 0, 1, 2, ... whose sum is at most d, since a polynomial of total degree d that vanishes
-//! at these vanishes (K. C. Chung, T. H. Yao, On lattices admitting unique Lagrange interpolations, 1977). The shape of an unknown matrix is the one that fits.
+//! the linear system whatever the equation looks like. That it is linear is proved (see [`super::linear`]). The shape of an
+//! unknown matrix is the one that fits.
 //! Where the map is X -> A X + X A^T, however it is printed, the matrix polynomial of
 //! [`crate::theory::lyapunov`] gives the solution. Where the equation is symmetric under transposition
 //! of its unknown, n (n + 1) / 2 unknowns do instead of n^2, and that it has no other solution is shown by the skew ones.
@@ -45,10 +43,7 @@ enum Form<E> {
     Other,
 }
 
-/// The most points at which it is looked whether an equation is linear.
-const MOST_POINTS: usize = 1_000;
-
-type Shape = (usize, usize);
+pub(super) type Shape = (usize, usize);
 /// A scalar degree of freedom: the entries (unknown, row, column) that are one where it is one.
 type Unit = Vec<(usize, usize, usize)>;
 /// The unknowns and the determinant of their system.
@@ -63,25 +58,17 @@ impl<D: Domain> Evaluator<'_, D> {
     ) -> Result<Vec<Value<D::Element>>, Failure> {
         let model = self.model;
         let unknowns = &model.systems[system].unknowns;
-        let shapes = self.unknown_shapes(system, unknowns, span)?;
         let degree = model.degree_in_unknowns(system, &|equation| self.display(equation));
-        match degree {
-            Ok(0 | 1) => {}
-            Ok(degree) => {
-                let linear = self.require_linear(system, &shapes, degree, span);
-                self.frame.trial.clear();
-                linear?;
-            }
-            Err(NoDegree::NoPolynomial) => {
-                return Err(Failure::new(FailureKind::NotLinear, span));
-            }
-            Err(NoDegree::NoEquation) => {
-                return Err(Failure::unsupported(
-                    "what is no equation, to be solved",
-                    span,
-                ));
-            }
-            Err(NoDegree::Undecided(what)) => return Err(Failure::unsupported(what, span)),
+        let degree = degree.map_err(|why| match why {
+            NoDegree::NoPolynomial => Failure::new(FailureKind::NotLinear, span),
+            NoDegree::NoEquation => Failure::unsupported("what is no equation, to be solved", span),
+            NoDegree::Undecided(what) => Failure::unsupported(what, span),
+        })?;
+        let shapes = self.unknown_shapes(system, unknowns, span)?;
+        if degree > 1 {
+            let linear = self.require_linear(system, &shapes, degree, span);
+            self.frame.trial.clear();
+            linear?;
         }
         let by_polynomial = match self.form(system, &shapes, span)? {
             Form::Lyapunov([a, q]) => {
@@ -380,122 +367,12 @@ impl<D: Domain> Evaluator<'_, D> {
         }
     }
 
-    /// That equations of a degree in their unknowns are linear: they agree with what their values at zero and at
-    /// the units make of them on as many points as a polynomial of this degree is known by.
-    fn require_linear(
+    pub(super) fn set_trial(
         &mut self,
         system: usize,
         shapes: &[Shape],
-        degree: u32,
-        span: Span,
-    ) -> Result<(), Failure> {
-        let unknowns: usize = shapes.iter().map(|(rows, columns)| rows * columns).sum();
-        let values = |e: &mut Self, point: &[i64]| {
-            e.set_point(system, shapes, point);
-            e.residual(system, span)
-        };
-        let mut point = vec![0; unknowns];
-        let constant = values(self, &point)?;
-        let mut slopes = Vec::with_capacity(unknowns);
-        for k in 0..unknowns {
-            point[k] = 1;
-            let image = values(self, &point)?;
-            point[k] = 0;
-            if image.len() != constant.len() {
-                return Err(Failure::new(FailureKind::NotLinear, span));
-            }
-            let slope = image.iter().zip(&constant);
-            let slope = slope.map(|(with, without)| self.field.subtract(with, without));
-            slopes.push(slope.collect::<Vec<_>>());
-        }
-        let mut seen = 0;
-        for sum in 2..=i64::from(degree) {
-            let mut next = first_point(unknowns, sum);
-            while let Some(point) = next {
-                seen += 1;
-                if seen > MOST_POINTS {
-                    let what = "points at which an equation is seen to be linear".into();
-                    return Err(Failure::new(FailureKind::Budget { what }, span));
-                }
-                let image = values(self, &point)?;
-                let linear = image.len() == constant.len()
-                    && image.iter().enumerate().all(|(i, value)| {
-                        let mut expected = constant[i].clone();
-                        for (times, slope) in point.iter().zip(&slopes) {
-                            let part = self.field.integer(*times);
-                            let part = self.field.multiply(&part, &slope[i]);
-                            expected = self.field.add(&expected, &part);
-                        }
-                        self.field.is_zero(&self.field.subtract(value, &expected))
-                    });
-                if !linear {
-                    return Err(Failure::new(FailureKind::NotLinear, span));
-                }
-                next = next_point(point);
-            }
-        }
-        Ok(())
-    }
-
-    /// That no skew matrix can be added to the solution of an equation that is symmetric under transposition:
-    /// every matrix is the sum of a symmetric and a skew one, and the equation keeps them apart.
-    fn refuse_skew_solutions(
-        &mut self,
-        system: usize,
-        n: usize,
-        span: Span,
-    ) -> Result<(), Failure> {
-        let shapes = [(n, n)];
-        self.set_trial(system, &shapes, &[]);
-        let constant = self.residual(system, span)?;
-        let mut columns = Vec::new();
-        for (i, j) in (0..n).flat_map(|i| (0..i).map(move |j| (i, j))) {
-            let mut point = vec![0; n * n];
-            point[i * n + j] = 1;
-            point[j * n + i] = -1;
-            self.set_point(system, &shapes, &point);
-            let image = self.residual(system, span)?;
-            let slope = image.iter().zip(&constant);
-            let slope = slope.map(|(with, without)| self.field.subtract(with, without));
-            columns.push(slope.collect::<Vec<_>>());
-        }
-        let matrix = Matrix::from_fn(constant.len(), columns.len(), |i, j| columns[j][i].clone());
-        let right = constant.iter().map(|_| self.field.integer(0)).collect();
-        match linear::solve(&self.field, matrix, right) {
-            Solution::Unique { pivots, .. } => {
-                for divisor in pivots {
-                    self.conditions.push(Condition {
-                        divisor,
-                        origin: Origin::Determinant(self.model.systems[system].equation),
-                    });
-                }
-                Ok(())
-            }
-            Solution::TooLarge => {
-                let what = "terms of the solution of a linear system".into();
-                Err(Failure::new(FailureKind::Budget { what }, span))
-            }
-            Solution::Underdetermined | Solution::Inconsistent => {
-                Err(Failure::new(FailureKind::Underdetermined, span))
-            }
-        }
-    }
-
-    /// Tries the unknowns with integers for their entries, one unknown after the other, row by row.
-    fn set_point(&mut self, system: usize, shapes: &[Shape], point: &[i64]) {
-        let mut offset = 0;
-        for (u, (rows, columns)) in shapes.iter().enumerate() {
-            let value = Matrix::from_fn(*rows, *columns, |i, j| {
-                self.field.integer(point[offset + i * columns + j])
-            });
-            offset += rows * columns;
-            self.frame
-                .trial
-                .insert((system, u), Value::from_matrix(value));
-        }
-    }
-
-    fn set_trial(&mut self, system: usize, shapes: &[Shape], unit: &[(usize, usize, usize)]) {
+        unit: &[(usize, usize, usize)],
+    ) {
         for (u, (rows, columns)) in shapes.iter().enumerate() {
             let value = Matrix::from_fn(*rows, *columns, |i, j| {
                 self.field.integer(i64::from(unit.contains(&(u, i, j))))
@@ -525,7 +402,11 @@ impl<D: Domain> Evaluator<'_, D> {
         Ok(residuals)
     }
 
-    fn residual(&mut self, system: usize, span: Span) -> Result<Vec<D::Element>, Failure> {
+    pub(super) fn residual(
+        &mut self,
+        system: usize,
+        span: Span,
+    ) -> Result<Vec<D::Element>, Failure> {
         Ok(self
             .residual_values(system, span)?
             .iter()
@@ -607,42 +488,5 @@ impl<D: Domain> Evaluator<'_, D> {
             }
         }
         sizes
-    }
-}
-
-/// The first of the points whose coordinates are natural numbers with this sum.
-fn first_point(unknowns: usize, sum: i64) -> Option<Vec<i64>> {
-    let mut point = vec![0; unknowns];
-    *point.first_mut()? = sum;
-    Some(point)
-}
-
-/// The next one: the last but one coordinate that is not zero gives one to its neighbour, which gets
-/// what the last one has.
-fn next_point(mut point: Vec<i64>) -> Option<Vec<i64>> {
-    let last = point.len().checked_sub(1)?;
-    let rest = std::mem::take(&mut point[last]);
-    let from = point.iter().rposition(|c| *c > 0)?;
-    point[from] -= 1;
-    point[from + 1] = rest + 1;
-    Some(point)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{first_point, next_point};
-
-    #[test]
-    fn points_of_one_sum_are_met_once_each() {
-        for (unknowns, sum, count) in [(1, 5, 1), (2, 3, 4), (3, 2, 6), (4, 3, 20)] {
-            let mut seen = std::collections::BTreeSet::new();
-            let mut next = first_point(unknowns, sum);
-            while let Some(point) = next {
-                assert_eq!(point.iter().sum::<i64>(), sum);
-                assert!(seen.insert(point.clone()));
-                next = next_point(point);
-            }
-            assert_eq!(seen.len(), count);
-        }
     }
 }

@@ -380,14 +380,21 @@ impl Model {
     }
 
     /// Whether a name is defined as a function of letters none of which is a time or what processes depend on: at a
-    /// number such a letter is that number, and nothing else is.
-    pub fn is_function_of_no_time(&self, node: Node) -> bool {
+    /// number such a letter is that number, and nothing else is. A value at a number that is none of the function's
+    /// own is something else.
+    pub fn is_function_of_no_time(&self, node: Node, at: &BigRational) -> bool {
         let moving = |argument: &Name| {
             let argument = crate::latex::canonical(argument);
             self.times.contains(&argument) || self.arguments.contains(&argument)
         };
-        self.function_definition(node)
-            .is_some_and(|definition| !definition.arguments.iter().any(moving))
+        let own = match node {
+            Node::Definition(d) => !self.exceptions(d).is_empty(),
+            Node::Symbol(_) | Node::Matrix(_) | Node::Notation(_) | Node::Unknown { .. } => false,
+        };
+        self.function_definition(node).is_some_and(|definition| {
+            !definition.arguments.iter().any(moving)
+                && (own || self.value_at(&definition.name, at).is_none())
+        })
     }
 
     /// The printed name of a variable of the ring.

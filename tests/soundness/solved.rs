@@ -499,7 +499,7 @@ fn functions_with_a_value_of_their_own_at_a_number() {
             if !same {
                 claims.push((format!("{name}({with}) = {}", at(&p, n)), false));
                 claims.push((
-                    format!(r"\sum_{{j={n}}}^{n} {name}(j) = {}", at(&p, n)),
+                    format!(r"\sum_{{j={n}}}^{{{n}}} {name}(j) = {}", at(&p, n)),
                     false,
                 ));
                 claims.push((
