@@ -4,12 +4,13 @@
 //! `x \to 0, f \to 0` a reader takes it for f(x), and f(\xi) would depend on nothing: both readings are given
 //! back, unless what f is made of depends on the letter in another way, as on a parameter or a process.
 
-use super::Model;
 use super::names::Resolved;
+use super::{Model, Node};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::walk::children;
 use crate::expr::{Expr, ExprKind, Name};
 use crate::latex;
+use std::collections::BTreeSet;
 
 impl Model {
     /// Where an expression in which these letters vary has a function without its argument that may be one
@@ -77,19 +78,20 @@ impl Model {
         else {
             return;
         };
-        let Some(function) = self.function_definition(node) else {
+        let own = self.own_letters(node);
+        if own.is_empty() {
             return;
-        };
+        }
         let behind = self.symbols_behind(node, &|e| self.display(e));
         let depends = behind.iter().any(|symbol| {
             let mut made_of = self.argument_symbols(*symbol).chain([*symbol]);
             made_of.any(|s| varying.contains(&self.symbols[s].name))
         });
-        if depends || function.arguments.iter().any(|own| varying.contains(own)) {
+        let name = latex::canonical(name);
+        if depends || varying.iter().any(|v| own.contains(&latex::canonical(v))) {
             return;
         }
-        let name = latex::canonical(name);
-        let own: Vec<String> = function.arguments.iter().map(latex::canonical).collect();
+        let own: Vec<String> = own.into_iter().collect();
         let readings = vec![
             format!(
                 "{name} at its own letter, written {name}({})",
@@ -104,5 +106,63 @@ impl Model {
             DiagnosticKind::Ambiguous { readings },
             expr.span,
         ));
+    }
+
+    /// The letters of the functions that a node is, or is made of without their arguments.
+    fn own_letters(&self, node: Node) -> BTreeSet<String> {
+        let mut own = BTreeSet::new();
+        let mut seen = BTreeSet::new();
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            let Node::Definition(d) = node else {
+                continue;
+            };
+            if let Some(function) = self.function_definition(node) {
+                own.extend(function.arguments.iter().map(latex::canonical));
+            } else if seen.insert(node) {
+                let definition = &self.definitions[d];
+                let display = self.display(definition.equation);
+                if let Some(value) = definition.place.find(display) {
+                    self.bare_nodes(value, &mut open);
+                }
+            }
+        }
+        own
+    }
+
+    /// What the names without arguments in an expression stand for, but for where it binds letters itself.
+    fn bare_nodes(&self, expr: &Expr, found: &mut Vec<Node>) {
+        match &expr.kind {
+            ExprKind::Integral { .. }
+            | ExprKind::BigSum { .. }
+            | ExprKind::Derivative { .. }
+            | ExprKind::Expectation(_) => return,
+            ExprKind::Name(name) => {
+                if let Ok(Resolved::Node { node, .. } | Resolved::Primed { node, .. }) =
+                    self.resolve(name, &|_| false)
+                {
+                    found.push(node);
+                }
+            }
+            ExprKind::Number(_)
+            | ExprKind::Apply { .. }
+            | ExprKind::Group { .. }
+            | ExprKind::Underbrace { .. }
+            | ExprKind::Sum(_)
+            | ExprKind::Product(_)
+            | ExprKind::Quotient { .. }
+            | ExprKind::Power { .. }
+            | ExprKind::Transpose(_)
+            | ExprKind::Matrix { .. }
+            | ExprKind::Call { .. }
+            | ExprKind::Named { .. }
+            | ExprKind::Tuple(_)
+            | ExprKind::Cases(_)
+            | ExprKind::Infinity
+            | ExprKind::Constant => {}
+        }
+        for child in children(expr) {
+            self.bare_nodes(child, found);
+        }
     }
 }

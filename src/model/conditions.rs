@@ -63,6 +63,14 @@ impl Builder {
         };
         for (k, clause) in clauses.iter().enumerate() {
             let standing = self.standing(clause, before);
+            // `x > 0, \quad |x| = x`: what comes first may be what the rest is said under.
+            if standing == Standing::Claim
+                && before.last == Standing::Comparison
+                && !before.equations
+                && leads_on(clause)
+            {
+                doubtful.push(display.clauses[k - 1].chain.span);
+            }
             match standing {
                 Standing::Claim => before.equations = true,
                 Standing::Condition { .. } => conditional[k] = true,
@@ -284,6 +292,15 @@ impl Builder {
                 self.error(DiagnosticKind::SaysNothing { clause }, only.span);
             }
         }
+    }
+}
+
+/// Whether a clause is neither set apart from the one before it nor joined to it as its like.
+fn leads_on(clause: &Clause) -> bool {
+    let apart = matches!(clause.separation, Separation::Line | Separation::FullStop);
+    match clause.joined.as_deref() {
+        Some(word) => word != "and" && word != "or" && !apart,
+        None => !apart,
     }
 }
 

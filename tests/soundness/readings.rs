@@ -854,6 +854,19 @@ fn the_rest_of_a_condition_is_no_claim() {
             }
         }
     }
+    // What comes first and only compares may be what the rest is said under.
+    for first in COMPARISONS {
+        for joint in [", ", ", \\quad ", "; ", ", \\text{ so that } ", " \\qquad "] {
+            for claim in ["|a| = a", "a^2 > -1", "a + b = b + a"] {
+                let latex = format!("{first}{joint}{claim}");
+                assert!(asked(&symbols, &latex), "{latex}");
+            }
+        }
+        let latex = format!("{first} \\text{{ and }} a + b = b + a");
+        let found = audit(&document(&symbols, &[("claim", &latex)]), quick());
+        let found = found.unwrap_or_else(|rejection| panic!("{latex}: {rejection}"));
+        assert!(found.model.equations[0].assume.is_empty(), "{latex}");
+    }
     // Behind a condition that comes first stands the claim.
     for latex in [
         "\\text{if } a > 0, \\text{ then } |a| = a",
@@ -952,6 +965,7 @@ fn functions_need_their_arguments_where_these_matter() {
     for (k, body) in bodies.iter().enumerate() {
         for name in ["f", "F", "\\psi", "u_1"] {
             let definition = format!("{name}(\\xi) = {body}");
+            let made_of = format!("h = {name} + 1");
             let v = ["x", "y"][k % 2];
             for latex in [
                 format!("\\frac{{\\mathrm{{d}}{name}}}{{\\mathrm{{d}}{v}}} = 0"),
@@ -964,9 +978,11 @@ fn functions_need_their_arguments_where_these_matter() {
                 format!("{v} \\to 0, \\quad {name} \\to 0"),
                 format!("{v} \\to 1, \\quad {v}{name} \\to {name}"),
                 format!("\\sum_{{{v}=1}}^2 {name} = 2{name}"),
+                format!("\\frac{{\\mathrm{{d}}h}}{{\\mathrm{{d}}{v}}} = 0"),
+                format!("\\int_0^1 h^2\\,\\mathrm{{d}}{v} = h^2"),
             ] {
                 assert!(
-                    asked_after(&symbols, &[&definition], &latex),
+                    asked_after(&symbols, &[&definition, &made_of], &latex),
                     "{latex}: {definition}"
                 );
             }
@@ -1106,6 +1122,9 @@ fn dots_between_columns_are_scalar_products() {
                     format!("{x}^2 = {x}^T{x}"),
                     format!("a = b({x} + {y})^2"),
                     format!("a{x}\\times b{y} = \\mathbf{{0}}"),
+                    format!("a = {x}\\cdot\\mathbf{{A}}\\cdot {y}"),
+                    format!("a = {x}\\cdot a\\mathbf{{A}}"),
+                    format!("a = \\mathbf{{A}}\\times {y}"),
                 ] {
                     assert!(asked(&symbols, &latex), "{latex}");
                 }

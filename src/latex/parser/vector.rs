@@ -19,16 +19,18 @@ pub(super) enum Dot {
     Cross,
 }
 
-/// What a factor does to the shape of a product.
+/// What a factor is to the shape of a product.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
+    /// A number, which leaves the shape as it is.
+    Number,
+    /// A matrix that is neither row nor column.
+    Matrix,
     /// A column.
     Column,
     /// A row.
     Row,
-    /// A number, or a matrix that is neither row nor column: it leaves these what they are.
-    Neutral,
-    /// A bold letter, or a product with one, that may be either.
+    /// A bold letter, or a product with one, whose shape is not printed.
     Unknown,
 }
 
@@ -41,9 +43,19 @@ impl Parser<'_> {
         right: Vec<Expr>,
         start: Span,
     ) -> Parse<Vec<Expr>> {
-        let maybe = |kind: Kind| matches!(kind, Kind::Column | Kind::Unknown);
         let kinds = (self.kind_of_all(&left), self.kind_of_all(&right));
-        if !maybe(kinds.0) || !maybe(kinds.1) {
+        let doubtful = match kinds {
+            (Kind::Column | Kind::Unknown, Kind::Column | Kind::Unknown) => true,
+            // As a contraction it would be a row.
+            (Kind::Column, Kind::Matrix) => true,
+            (Kind::Matrix, Kind::Column | Kind::Unknown) | (Kind::Unknown, Kind::Matrix) => {
+                dot == Dot::Cross
+            }
+            (Kind::Matrix, Kind::Number | Kind::Matrix | Kind::Row)
+            | (Kind::Number | Kind::Row, _)
+            | (Kind::Column | Kind::Unknown, Kind::Number | Kind::Row) => false,
+        };
+        if !doubtful {
             left.extend(right);
             return Ok(left);
         }
@@ -84,18 +96,18 @@ impl Parser<'_> {
 
     /// What a product of these is.
     fn kind_of_all(&self, factors: &[Expr]) -> Kind {
-        let mut kind = Kind::Neutral;
+        let mut kind = Kind::Number;
         for factor in factors {
             kind = match (kind, self.kind_of(factor)) {
-                (kind, Kind::Neutral) => kind,
-                (Kind::Neutral, kind) => kind,
-                // A number and a matrix.
-                (Kind::Row, Kind::Column) | (Kind::Column, Kind::Row) => Kind::Neutral,
+                (kind, Kind::Number) | (Kind::Number, kind) => kind,
+                (Kind::Row, Kind::Column) => Kind::Number,
+                (Kind::Column | Kind::Unknown, Kind::Row) => Kind::Matrix,
                 // What has no shape is asked for where a dot or cross stands beside it.
-                (Kind::Column | Kind::Unknown, Kind::Column) => Kind::Column,
-                (Kind::Row, Kind::Row | Kind::Unknown) => Kind::Row,
-                (Kind::Unknown, Kind::Row) => Kind::Neutral,
-                (Kind::Column | Kind::Unknown, Kind::Unknown) => Kind::Unknown,
+                (Kind::Matrix, kind) | (kind @ (Kind::Column | Kind::Unknown), Kind::Matrix) => {
+                    kind
+                }
+                (Kind::Column | Kind::Unknown, kind @ (Kind::Column | Kind::Unknown)) => kind,
+                (Kind::Row, Kind::Row | Kind::Matrix | Kind::Unknown) => Kind::Row,
             };
         }
         kind
@@ -109,7 +121,7 @@ impl Parser<'_> {
             ExprKind::Transpose(inner) => match self.kind_of(inner) {
                 Kind::Column | Kind::Unknown => Kind::Row,
                 Kind::Row => Kind::Column,
-                Kind::Neutral => Kind::Neutral,
+                kind @ (Kind::Number | Kind::Matrix) => kind,
             },
             ExprKind::Group { inner, .. } | ExprKind::Expectation(inner) => self.kind_of(inner),
             ExprKind::Derivative { body: inner, .. }
@@ -122,23 +134,26 @@ impl Parser<'_> {
             ExprKind::Sum(terms) => {
                 let mut kinds = terms.iter().map(|(_, term)| self.kind_of(term));
                 kinds
-                    .find(|kind| *kind != Kind::Neutral)
-                    .unwrap_or(Kind::Neutral)
+                    .find(|kind| *kind != Kind::Number)
+                    .unwrap_or(Kind::Number)
             }
             ExprKind::Product(factors) => self.kind_of_all(factors),
             ExprKind::Matrix { rows, .. } => match (rows.len(), rows.first().map(Vec::len)) {
                 (2.., Some(1)) => Kind::Column,
                 (1, Some(2..)) => Kind::Row,
-                _ => Kind::Neutral,
+                _ => Kind::Matrix,
+            },
+            ExprKind::Power { base, .. } => match self.kind_of(base) {
+                Kind::Number => Kind::Number,
+                Kind::Matrix | Kind::Column | Kind::Row | Kind::Unknown => Kind::Matrix,
             },
             ExprKind::Number(_)
             | ExprKind::Named { .. }
             | ExprKind::Call { .. }
-            | ExprKind::Power { .. }
             | ExprKind::Tuple(_)
             | ExprKind::Cases(_)
             | ExprKind::Infinity
-            | ExprKind::Constant => Kind::Neutral,
+            | ExprKind::Constant => Kind::Number,
         }
     }
 
@@ -146,9 +161,10 @@ impl Parser<'_> {
         let vector = name.letter.font == Font::Bold || name.letter.accent == Some(Accent::Vector);
         match self.signature.shape(name) {
             Some(Shape::Column) => Kind::Column,
-            Some(Shape::Matrix) => Kind::Neutral,
+            Some(Shape::Matrix) => Kind::Matrix,
             None if vector && self.signature.is_defined(name) => Kind::Unknown,
-            None => Kind::Neutral,
+            None if vector => Kind::Matrix,
+            None => Kind::Number,
         }
     }
 }
