@@ -29,6 +29,8 @@ mod moments;
 mod monotone;
 #[path = "soundness/one_case.rs"]
 mod one_case;
+#[path = "soundness/places.rs"]
+mod places;
 #[path = "soundness/readings.rs"]
 mod readings;
 #[path = "soundness/says.rs"]

@@ -20,8 +20,23 @@ use num_traits::Zero;
 const BITS: [u32; 3] = [128, 512, 2048];
 /// At how many points an inequality is looked at.
 const INEQUALITY_POINTS: usize = 40;
+/// How many values of the letters that a point leaves open are looked at.
+const COMPLETIONS: usize = 12;
 /// Multiplications at one point.
 const WORK: u64 = 300_000;
+
+/// What a second route finds at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum There {
+    /// The sides are apart.
+    Apart,
+    /// They are the same, to many digits.
+    Together,
+    /// A side certainly has no value: the point shows nothing.
+    NoValue,
+    /// Nothing is known.
+    Unknown,
+}
 
 impl<'m> Checker<'m> {
     /// The document as the second route sees it, with displays in place of some equations'.
@@ -102,9 +117,10 @@ impl<'m> Checker<'m> {
                     return Ok(shown.with_residual(refutation.residual));
                 }
                 // A second route that knows values elsewhere must find those of this point apart.
+                let disagree = "two routes disagree on whether its sides are apart";
                 let own = match (&found.apart, refutation.witness()) {
                     (_, Some(w)) if w.point.iter().any(|(l, _)| self.is_no_choice(*l)) => {
-                        Some(false)
+                        return Err(disagree.into());
                     }
                     // In a case the sides differ as formulas; whether a point of it shows that is open.
                     (None, Some(_)) if in_a_case && found.evaluated > 0 => {
@@ -114,14 +130,19 @@ impl<'m> Checker<'m> {
                                 .into(),
                         );
                     }
-                    (None, Some(witness)) if found.evaluated > 0 => {
-                        self.is_apart_at(equation, link, witness)
-                    }
-                    _ => None,
+                    (_, Some(witness)) => self.at_witness(equation, link, witness),
+                    (_, None) => There::Unknown,
                 };
-                match own {
-                    Some(false) => Err("two routes disagree on whether its sides are apart".into()),
-                    Some(true) | None => Ok(refutation),
+                match (own, &found.apart) {
+                    (There::NoValue | There::Together, Some(shown)) => {
+                        let shown = Refutation::at(self.witness_of(shown));
+                        Ok(shown.with_residual(refutation.residual))
+                    }
+                    (There::NoValue, None) => {
+                        Err("at the point at which the formulas differ a side has no value".into())
+                    }
+                    (There::Together, None) => Err(disagree.into()),
+                    (There::Apart | There::Unknown, _) => Ok(refutation),
                 }
             }
             Decision::False(open, _) => match found.apart {
@@ -156,11 +177,12 @@ impl<'m> Checker<'m> {
         }
         let free = witness.point.iter().all(|(l, _)| !self.is_no_choice(*l));
         let own = match free {
-            true => self.is_apart_at(equation, link, witness),
-            false => Some(false),
+            true => self.at_witness(equation, link, witness),
+            false => There::Together,
         };
-        if own != Some(false) {
-            return Ok(refutation);
+        match own {
+            There::Apart | There::Unknown => return Ok(refutation),
+            There::Together | There::NoValue => {}
         }
         match self.violated(equation, link) {
             Some(mut found) => {
@@ -178,7 +200,12 @@ impl<'m> Checker<'m> {
         }
         // What the document's own numbers break is no hypothesis of it.
         let given: &'m [Hypothesis] = &self.model.equations[equation].given;
-        let broken = self.breaks_reference(&given.iter().collect::<Vec<_>>());
+        let all: Vec<&'m Hypothesis> = given.iter().collect();
+        let broken = self.breaks_reference(&all);
+        // Nor is a point shown by what is stated and holds nowhere.
+        if broken && self.suppose(&all).is_err() {
+            return None;
+        }
         let stated = if broken { &[] } else { given };
         let shown = self.points_apart(equation, link, stated).apart?;
         Some(Refutation::at(self.witness_of(&shown)))
@@ -218,30 +245,54 @@ impl<'m> Checker<'m> {
         found
     }
 
-    /// Whether the sides are apart at the point of a witness by the second route; none where it has
-    /// no values there.
-    fn is_apart_at(&self, equation: usize, link: &Link, witness: &Witness) -> Option<bool> {
+    /// What the second route finds at the point of a witness. Letters that it does not give a value have their
+    /// reference values or are drawn: that there is no value is seen of many such points.
+    fn at_witness(&self, equation: usize, link: &Link, witness: &Witness) -> There {
         let world = self.world(None);
-        let mut point = Point::of(self.model, 0);
+        let mut given = Vec::new();
         for (letter, value) in &witness.point {
             if let Letter::Symbol { symbol, order } = self.model.letters[*letter] {
-                let value = Complex::from(Real::rational(value.exact()?.clone()));
-                point = point.with(symbol, order, value);
+                let Some(exact) = value.exact() else {
+                    return There::Unknown;
+                };
+                given.push((symbol, order, exact));
             }
         }
+        for number in 0..COMPLETIONS {
+            let mut point = Point::of(self.model, number);
+            let own = self.model.symbols.iter().enumerate();
+            for (symbol, value) in own.filter_map(|(s, d)| Some((s, d.value.as_ref()?))) {
+                if number == 0 {
+                    point = point.with(symbol, 0, Complex::from(Real::rational(value.clone())));
+                }
+            }
+            for (symbol, order, value) in &given {
+                let value = Complex::from(Real::rational((*value).clone()));
+                point = point.with(*symbol, *order, value);
+            }
+            match self.found_at(&world, equation, link, &point) {
+                There::NoValue => {}
+                found @ (There::Apart | There::Together | There::Unknown) => return found,
+            }
+        }
+        There::NoValue
+    }
+
+    fn found_at(&self, world: &World<'m>, equation: usize, link: &Link, point: &Point) -> There {
         for bits in BITS {
-            match world.compare(equation, link, &point, bits, WORK) {
-                Comparison::Apart(_) => return Some(true),
+            match world.compare(equation, link, point, bits, WORK) {
+                Comparison::Apart(_) => return There::Apart,
                 // A small difference of large numbers shows only with more digits.
                 Comparison::Overlap { narrow: true } if Some(&bits) == BITS.last() => {
-                    return Some(false);
+                    return There::Together;
                 }
                 Comparison::Overlap { .. } => {}
                 Comparison::NoValue(none) if none.reason.is_imprecise() => {}
-                Comparison::NoValue(_) => return None,
+                Comparison::NoValue(none) if none.reason.is_certain() => return There::NoValue,
+                Comparison::NoValue(_) => return There::Unknown,
             }
         }
-        None
+        There::Unknown
     }
 
     /// Whether these hypotheses are true at some admissible point; none where it is certain that they

@@ -25,7 +25,13 @@ impl Checker<'_> {
         positivity: &mut Option<Positivity>,
     ) -> Verdict {
         self.exact.conditions.clear();
-        let verdict = self.verdict_as_it_is(equation, l, unusable, positivity);
+        let mut verdict = self.verdict_as_it_is(equation, l, unusable, positivity);
+        if let Verdict::Refuted(refutation) = &mut verdict
+            && refutation.part.is_some()
+            && self.rests_on_partial_covariances(equation, &self.model.equations[equation].links[l])
+        {
+            refutation.part = None;
+        }
         // Nothing is said of what has no value; a correction was proved to have one.
         let said = match &verdict {
             Verdict::Holds { .. } | Verdict::HoldsGiven(..) | Verdict::Definition { .. } => true,
@@ -100,7 +106,10 @@ impl Checker<'_> {
                 reason: reason.into(),
             }
         } else if link.relation == Relation::Tends {
-            self.exactly(|c| c.tends(equation, link))
+            self.exactly(|c| {
+                let verdict = c.tends(equation, link);
+                c.where_covariances_exist(equation, link, verdict)
+            })
         } else if self.is_circular(equation, l) {
             Verdict::Undecided {
                 reason: "the claim is one of its hypotheses: nothing is left to show".into(),
@@ -447,25 +456,28 @@ impl Checker<'_> {
     pub(super) fn reason_of(&mut self, failure: &Failure) -> String {
         self.note(failure);
         self.failure = Some(failure.kind.clone());
-        match &failure.kind {
-            FailureKind::Unsupported { what } => format!("{what} is outside of what is decided"),
-            FailureKind::Budget { what } => format!("too many {what}"),
-            FailureKind::Exhausted { what } => what.clone(),
-            FailureKind::Outside { name } => format!("{name} does not exist"),
-            FailureKind::Divergent { reason, .. } => format!("the integral diverges: {reason}"),
-            FailureKind::NeedsItself => "a definition needs itself".into(),
-            FailureKind::NotLinear => "the equation is not linear in its unknowns".into(),
-            FailureKind::Underdetermined => "the unknowns are not determined".into(),
-            FailureKind::Inconsistent => "the equations contradict each other".into(),
-            FailureKind::DivisionByZero => "no value: it divides by what is zero".into(),
-            FailureKind::NotStationary => {
-                "no stationary covariance: its system is not stable".into()
-            }
-            FailureKind::Shape { .. }
-            | FailureKind::Exponent { .. }
-            | FailureKind::Ambiguous { .. }
-            | FailureKind::Undeclared { .. } => "the document has an error".into(),
-        }
+        words_of_failure(&failure.kind)
+    }
+}
+
+/// Why there is no value, in words.
+pub(crate) fn words_of_failure(kind: &FailureKind) -> String {
+    match kind {
+        FailureKind::Unsupported { what } => format!("{what} is outside of what is decided"),
+        FailureKind::Budget { what } => format!("too many {what}"),
+        FailureKind::Exhausted { what } => what.clone(),
+        FailureKind::Outside { name } => format!("{name} does not exist"),
+        FailureKind::Divergent { reason, .. } => format!("the integral diverges: {reason}"),
+        FailureKind::NeedsItself => "a definition needs itself".into(),
+        FailureKind::NotLinear => "the equation is not linear in its unknowns".into(),
+        FailureKind::Underdetermined => "the unknowns are not determined".into(),
+        FailureKind::Inconsistent => "the equations contradict each other".into(),
+        FailureKind::DivisionByZero => "no value: it divides by what is zero".into(),
+        FailureKind::NotStationary => "no stationary covariance: its system is not stable".into(),
+        FailureKind::Shape { .. }
+        | FailureKind::Exponent { .. }
+        | FailureKind::Ambiguous { .. }
+        | FailureKind::Undeclared { .. } => "the document has an error".into(),
     }
 }
 

@@ -42,6 +42,7 @@ mod witness;
 mod words;
 mod worlds;
 
+pub(crate) use link::words_of_failure;
 pub(crate) use recalled::recalled_and_false;
 
 use crate::diagnostic::Diagnostic;

@@ -67,9 +67,12 @@ impl Checker<'_> {
             _ => return None,
         };
         let zero_is_admitted = match self.model.letters[x] {
-            Letter::Symbol { symbol, order: 0 } => {
-                let range = &self.model.symbols[symbol].range;
-                range.numbers == Numbers::Real && range.contains(&BigRational::zero())
+            Letter::Symbol { order: 0, .. } => {
+                let range = &self.supposed.admitted.ranges[x];
+                let zero = BigRational::zero();
+                range.numbers == Numbers::Real
+                    && range.contains(&zero)
+                    && !self.supposed.is_about(x, &|f| table.letters_behind(f))
             }
             _ => false,
         };

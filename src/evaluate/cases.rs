@@ -157,15 +157,24 @@ impl<D: Domain> Evaluator<'_, D> {
         }
         let mut admitted = Vec::new();
         let mut between = false;
+        // That none of the cases so far applies, as far as it can be supposed.
+        let mut otherwise = Vec::new();
         for (value, conditions) in cases {
             match self.standing(conditions)? {
                 Standing::False => {}
                 Standing::True if admitted.is_empty() => return self.expression(value),
                 Standing::True => {
-                    admitted.push((value, Vec::new()));
+                    let supposed = match conditions.is_empty() {
+                        true => std::mem::take(&mut otherwise),
+                        false => Vec::new(),
+                    };
+                    admitted.push((value, supposed));
                     break;
                 }
-                Standing::Open(supposed) => admitted.push((value, supposed)),
+                Standing::Open(supposed) => {
+                    otherwise.extend(self.opposite(conditions, &supposed));
+                    admitted.push((value, supposed));
+                }
                 Standing::Between(supposed) => {
                     between = true;
                     admitted.push((value, supposed));
@@ -211,6 +220,35 @@ impl<D: Domain> Evaluator<'_, D> {
         let (value, supposed) = admitted.swap_remove(choice);
         self.choice.supposed.extend(supposed);
         self.expression(value)
+    }
+
+    /// What is so where conditions do not hold, if it is one relation: those that are open are one.
+    fn opposite(
+        &self,
+        conditions: &[Chain],
+        supposed: &[Supposed<D::Element>],
+    ) -> Option<Supposed<D::Element>> {
+        let all_supposed = conditions
+            .iter()
+            .flat_map(|c| &c.relations)
+            .all(|r| match r {
+                Relation::Less
+                | Relation::LessEqual
+                | Relation::Greater
+                | Relation::GreaterEqual => true,
+                Relation::Equal
+                | Relation::NotEqual
+                | Relation::Distributed
+                | Relation::Approximately
+                | Relation::Tends => false,
+            });
+        match supposed {
+            [one] if all_supposed => Some(Supposed {
+                element: self.field.negate(&one.element),
+                strict: !one.strict,
+            }),
+            _ => None,
+        }
     }
 
     /// What lies between two cases that exclude each other, where neither has the point between them,

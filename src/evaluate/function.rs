@@ -48,7 +48,7 @@ impl<D: Domain> Evaluator<'_, D> {
         let Value::Scalar(argument) = argument else {
             return Err(Failure::unsupported("a function of a matrix", span));
         };
-        let functions = self.functions("a function other than det and tr", span)?;
+        let functions = self.functions("a function whose values need not be rational", span)?;
         Self::possible(functions.call(function, argument), span).map(Value::Scalar)
     }
 

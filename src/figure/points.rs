@@ -1,17 +1,18 @@
 //! The letters and quantities that figure tables name, and their values at points.
 
 use super::{Obstacle, Source};
+use crate::check;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::document::Text;
 use crate::domain::{Rationals, Symbolic};
-use crate::evaluate::{Evaluator, Failure, FailureKind, Value, World};
+use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value, World};
 use crate::expr::Expr;
 use crate::latex::{self, Signature};
 use crate::model::{Letter, Model};
 use crate::span::Span;
 use num_rational::BigRational;
-use num_traits::Zero;
-use ratpoly::RationalFunction;
+use num_traits::{Signed, Zero};
+use ratpoly::{Budget, Polynomial, RationalFunction};
 
 /// LaTeX that can be read, at its place.
 pub(super) fn readable(text: &Text) -> Result<Expr, Obstacle> {
@@ -63,7 +64,7 @@ fn obstacle(failure: Failure, span: Span) -> Obstacle {
             let failure = Failure::new(kind, span);
             match failure.diagnostic() {
                 Some(diagnostic) => diagnostic.into(),
-                None => Obstacle::Beyond(format!("{:?}", failure.kind)),
+                None => Obstacle::Beyond(check::words_of_failure(&failure.kind)),
             }
         }
     }
@@ -76,6 +77,8 @@ pub(super) struct Quantity<'m> {
     span: Span,
     /// As a function of the declared symbols' letters, where it is a rational one.
     pub symbolic: Option<RationalFunction>,
+    /// What is divided by and is not seen in the function any more: where it vanishes there is no value.
+    cancelled: Vec<Polynomial>,
 }
 
 impl<'m> Quantity<'m> {
@@ -116,12 +119,34 @@ impl<'m> Quantity<'m> {
             }
             Err(_) => None,
         };
+        let cancelled = match &symbolic {
+            Some(f) => cancelled(model, &exact.conditions, f),
+            None => Vec::new(),
+        };
         Ok(Quantity {
             model: source.model,
             expr,
             span: text.span,
             symbolic,
+            cancelled,
         })
+    }
+
+    /// Whether something that was cancelled vanishes at a point of the declared symbols.
+    fn is_hole(&self, values: &[Option<BigRational>]) -> bool {
+        let point = self.letters(values, &BigRational::zero());
+        self.cancelled.iter().any(|divisor| {
+            self.lacking(&divisor.clone().into(), values).is_none()
+                && divisor.evaluate(&point).is_ok_and(|v| v.is_zero())
+        })
+    }
+
+    /// Refuses a point of the declared symbols at which it has no value.
+    pub(super) fn refuse_hole(&self, values: &[Option<BigRational>]) -> Result<(), Obstacle> {
+        match self.is_hole(values) {
+            true => Err(Diagnostic::new(DiagnosticKind::DivisionByZero, self.span).into()),
+            false => Ok(()),
+        }
     }
 
     /// The value of each letter of the ring at a point of the declared symbols. Letters without one
@@ -169,6 +194,7 @@ impl<'m> Quantity<'m> {
         if let Some(f) = &self.symbolic
             && self.lacking(f, values).is_none()
         {
+            self.refuse_hole(values)?;
             let point = self.letters(values, &BigRational::zero());
             return f
                 .evaluate(&point)
@@ -217,6 +243,38 @@ impl<'m> Quantity<'m> {
     pub(super) fn unit(&self, source: &mut Source<'_>) -> Option<String> {
         source.units.unit_of_expression(&self.expr)
     }
+}
+
+/// The factors of what must not vanish that a function shows no longer and that may vanish.
+fn cancelled(
+    model: &Model,
+    conditions: &[Condition<RationalFunction>],
+    f: &RationalFunction,
+) -> Vec<Polynomial> {
+    let mut found: Vec<Polynomial> = Vec::new();
+    for condition in conditions {
+        match condition.origin {
+            Origin::Divisor(_) | Origin::Determinant(_) => {}
+            Origin::Stability(_) | Origin::Range(_) => continue,
+        }
+        let divisor = condition.divisor.numerator();
+        let factors = match divisor.factor_within(&Budget::default()) {
+            Ok(product) => product.factors.into_iter().map(|(p, _)| p).collect(),
+            Err(_) => vec![divisor.clone()],
+        };
+        for factor in factors {
+            let signs: Vec<bool> = factor.terms().map(|(_, c)| c.is_positive()).collect();
+            let never_zero = signs.windows(2).all(|pair| pair[0] == pair[1])
+                && (factor.variables_occurring().iter()).all(|l| model.is_positive(*l));
+            if !never_zero
+                && !found.contains(&factor)
+                && f.denominator().div_exact(&factor).is_none()
+            {
+                found.push(factor);
+            }
+        }
+    }
+    found
 }
 
 /// Whether an expression with dots and functions vanishes in the letters of the document, its `solve`

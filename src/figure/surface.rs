@@ -180,12 +180,16 @@ pub(super) fn surface(source: &mut Source<'_>, written: &Written) -> Result<Surf
         .each_ref()
         .map(|axis| grid::linear(&axis.low, &axis.high, written.points));
     let mut point = vec![BigRational::one(); model.letters.len()];
+    let mut there = values.clone();
     let mut rows = Vec::new();
     for v in &grids[1] {
         point[letters[1]] = v.clone();
+        there[symbols[1]] = Some(v * &references[1]);
         let mut row = Vec::new();
         for u in &grids[0] {
             point[letters[0]] = u.clone();
+            there[symbols[0]] = Some(u * &references[0]);
+            quantity.refuse_hole(&there)?;
             let value = f.evaluate(&point);
             let kind = DiagnosticKind::DivisionByZero;
             row.push(value.map_err(|_| Diagnostic::new(kind, written.quantity.span))?);

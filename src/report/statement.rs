@@ -312,6 +312,7 @@ impl Writer<'_> {
                 minimum,
                 closed,
                 scope,
+                at_end,
                 other,
             } => {
                 let kind = if *minimum { "minimum" } else { "maximum" };
@@ -330,12 +331,32 @@ impl Writer<'_> {
                         .formula("\\;=\\;", " = ")
                         .then(self.closed(closed));
                 } else {
-                    line = line.words(" is an inner one");
+                    line = line.words(match at_end {
+                        true => " is at an end of its range",
+                        false => " is an inner one",
+                    });
                 }
                 match scope {
                     Scope::Everywhere => line,
                     _ => line.words(" ").then(self.scope(scope)),
                 }
+            }
+            Fact::Best {
+                letter,
+                minimum,
+                end,
+            } => {
+                let kind = if *minimum { "less" } else { "larger" };
+                let place = if *end {
+                    "at that end of the range"
+                } else {
+                    "there"
+                };
+                self.quantity()
+                    .words(format!(" is {kind} {place} than at all other values of "))
+                    .then(self.letter(*letter))
+                    .words(", ")
+                    .then(self.scope(&Scope::Everywhere))
             }
             Fact::NoExtremum(letter, scope) => Prose::of("there is no stationary point in ")
                 .then(self.letter(*letter))

@@ -201,8 +201,20 @@ pub enum Fact {
         closed: Option<ClosedForm>,
         /// Whether it is so for all values of the other letters, or for the reference values.
         scope: Scope,
+        /// Whether it is at an end of the letter's range.
+        at_end: bool,
         /// Whether it is about the other quantity that the statement names.
         other: bool,
+    },
+    /// At the value of a letter that is named it is less (larger) than at all others, for all values of
+    /// the other letters.
+    Best {
+        /// The letter.
+        letter: usize,
+        /// Whether the quantity is least there; otherwise it is largest.
+        minimum: bool,
+        /// Whether that is an end of the letter's range.
+        end: bool,
     },
     /// There is no such point.
     NoExtremum(usize, Scope),

@@ -7,9 +7,9 @@ use rederive::check::Options;
 use rederive::document::VerdictWord;
 
 /// A fraction.
-type Q = (i128, i128);
+pub type Q = (i128, i128);
 
-fn q(n: i128, d: i128) -> Q {
+pub fn q(n: i128, d: i128) -> Q {
     let (mut a, mut b) = (n.abs(), d.abs());
     while b != 0 {
         (a, b) = (b, a % b);
@@ -31,14 +31,14 @@ fn less(a: Q, b: Q) -> bool {
 }
 
 /// A polynomial in one letter with its derivative's roots, in halves.
-struct Poly {
+pub struct Poly {
     coefficients: Vec<Q>,
-    roots: Vec<i128>,
+    pub roots: Vec<i128>,
 }
 
 impl Poly {
     /// The integral of c times the product of (2x - r), with a constant.
-    fn with_slope(c: i128, roots: &[i128], constant: i128) -> Self {
+    pub fn with_slope(c: i128, roots: &[i128], constant: i128) -> Self {
         let mut slope: Vec<Q> = vec![q(c, 1)];
         for r in roots {
             let mut next = vec![q(0, 1); slope.len() + 1];
@@ -78,7 +78,7 @@ impl Poly {
         })
     }
 
-    fn text(&self, x: &str) -> String {
+    pub fn text(&self, x: &str) -> String {
         let terms = self.coefficients.iter().enumerate();
         let terms: Vec<String> = terms
             .filter(|(_, c)| c.0 != 0)
@@ -94,11 +94,11 @@ impl Poly {
 
 /// A letter: its name, its reference value, and its ends in halves, each with whether it belongs to it.
 #[derive(Clone, Copy)]
-struct Letter {
-    name: &'static str,
-    value: i128,
-    low: Option<(i128, bool)>,
-    high: Option<(i128, bool)>,
+pub struct Letter {
+    pub name: &'static str,
+    pub value: i128,
+    pub low: Option<(i128, bool)>,
+    pub high: Option<(i128, bool)>,
 }
 
 const LETTERS: [Letter; 5] = [
@@ -154,7 +154,7 @@ impl Letter {
     }
 
     /// The only place at which a polynomial is least, with the value there.
-    fn least(&self, f: &Poly, sign: i128) -> Option<(Q, Q)> {
+    pub fn least(&self, f: &Poly, sign: i128) -> Option<(Q, Q)> {
         let value = |x: Q| times(q(sign, 1), f.at(x));
         let mut places: Vec<Q> = f
             .roots

@@ -29,6 +29,7 @@ use crate::functions::{FunctionTable, Impossible, Supposed as Supposition};
 use crate::model::range::End;
 use crate::model::{Hypothesis, Letter, Model};
 use ratpoly::{Polynomial, RationalFunction};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// How often the hypotheses are evaluated anew with what was found from them.
@@ -91,6 +92,25 @@ impl Supposed {
             admitted: Admitted::within(ranges.map(|l| model.range_of(l)).collect()),
             ..Supposed::default()
         }
+    }
+
+    /// Whether the hypotheses say of a letter more than between which numbers it lies, given the letters
+    /// behind an element.
+    pub(crate) fn is_about(
+        &self,
+        letter: usize,
+        behind: &impl Fn(&RationalFunction) -> BTreeSet<usize>,
+    ) -> bool {
+        let signs = self.admitted.signs.iter().map(|(p, _)| p);
+        let polynomials = signs.chain(&self.relations).chain(&self.divisors);
+        let mut elements = polynomials.map(|p| RationalFunction::from(p.clone()));
+        let mut replaced = self.replaced.iter();
+        elements.any(|f| behind(&f).contains(&letter))
+            || replaced.any(|(l, value)| *l == letter || behind(value).contains(&letter))
+            || self
+                .consequences
+                .iter()
+                .any(|f| behind(f).contains(&letter))
     }
 }
 

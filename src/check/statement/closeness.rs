@@ -32,6 +32,9 @@ impl Ground {
         let Some(to) = to else {
             return Found::undecided("nothing says to what");
         };
+        if self.has_no_value(f) || self.has_no_value(to) {
+            return self.without_value(&[f, to]);
+        }
         let difference = f - to;
         if difference.is_zero() {
             let fact = Fact::Sign(Subject::Difference, Sign::Zero, Scope::Everywhere);
@@ -79,8 +82,7 @@ impl Ground {
         p: &Proposition,
     ) -> Found {
         let one = RationalFunction::constant(self.ring, BigRational::one());
-        let off = |to: &RationalFunction| f.checked_div(to).ok().map(|ratio| ratio - one);
-        self.within(to.and_then(off), p, Measure::Deviation)
+        self.within(f, to, p, Measure::Deviation, |ratio| ratio - one)
     }
 
     pub(super) fn small(
@@ -89,22 +91,44 @@ impl Ground {
         to: Option<&RationalFunction>,
         p: &Proposition,
     ) -> Found {
-        let ratio = |to: &RationalFunction| f.checked_div(to).ok();
-        self.within(to.and_then(ratio), p, Measure::Ratio)
+        self.within(f, to, p, Measure::Ratio, |ratio| ratio)
     }
 
-    /// Whether a number is no larger than the tolerance, at the reference point or, where the
-    /// statement is about its box, everywhere in there.
-    fn within(&self, f: Option<RationalFunction>, p: &Proposition, measure: Measure) -> Found {
-        let Some((f, value)) = f.and_then(|f| {
-            let value = self.at(&f)?;
-            Some((f, value))
-        }) else {
-            return Found::undecided("there are no reference values");
+    /// Whether a number that is made of a quotient is no larger than the tolerance, at the reference point
+    /// or, where the statement is about its box, everywhere in there.
+    fn within(
+        &self,
+        f: &RationalFunction,
+        to: Option<&RationalFunction>,
+        p: &Proposition,
+        measure: Measure,
+        of: impl FnOnce(RationalFunction) -> RationalFunction,
+    ) -> Found {
+        let Some(to) = to else {
+            return Found::undecided("nothing says to what");
+        };
+        let Ok(ratio) = f.checked_div(to) else {
+            return Found::undecided("it is compared with zero");
+        };
+        if self.has_no_value(f) || self.has_no_value(to) {
+            return self.without_value(&[f, to]);
+        }
+        if self.at(to).is_some_and(|v| v.is_zero()) {
+            return Found::undecided("at the reference values it is compared with zero");
+        }
+        let scope = p.only_in_box.then(|| self.box_of(p)).flatten();
+        if let Some(scope) = &scope
+            && self.cancels_a_pole(&ratio, [f, to], scope)
+        {
+            return Found::undecided("somewhere in the box it may have no value");
+        }
+        let f = of(ratio);
+        let Some(value) = self.at(&f) else {
+            return self.without_value(&[&f]);
         };
         let at_reference = value.abs() <= p.tolerance;
         let fact = Fact::Number(measure.clone(), value.into());
-        let Some(scope) = p.only_in_box.then(|| self.box_of(p)).flatten() else {
+        let Some(scope) = scope else {
             let about = Fact::About(Scope::Reference);
             return Found::of(decided(at_reference), vec![fact, about]);
         };

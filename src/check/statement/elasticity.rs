@@ -241,9 +241,14 @@ impl Ground {
     }
 
     pub(super) fn essential(&self, f: &RationalFunction, x: usize, p: &Proposition) -> Found {
-        let elasticity = self.elasticity(f, x).and_then(|e| self.at(&e));
-        let Some(value) = elasticity else {
-            return Found::undecided("there are no reference values");
+        let Some(elasticity) = self.elasticity(f, x) else {
+            return Found::undecided("the derivative is out of reach");
+        };
+        if self.has_no_value(f) {
+            return self.without_value(&[f]);
+        }
+        let Some(value) = self.at(&elasticity) else {
+            return self.without_value(&[&elasticity]);
         };
         let word = if value.abs() > p.tolerance {
             VerdictWord::Holds

@@ -21,12 +21,15 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use ratpoly::{Budget, Polynomial, RationalFunction};
 
-/// The only extremum on the positive half-line of a letter.
+/// The only extremum over the range of a letter.
 pub(super) struct Extremum {
     pub(super) minimum: bool,
     pub(super) scope: Scope,
-    /// The polynomial whose root it is.
-    pub(super) polynomial: Polynomial,
+    /// The polynomial whose only root in the range it is; none where it is at an end of the range, at
+    /// which no derivative need vanish, or where there are other roots.
+    pub(super) polynomial: Option<Polynomial>,
+    /// Whether it is at an end of the range.
+    pub(super) at_end: bool,
     closed: Option<ClosedForm>,
     /// The letter's value there, the others as in the reference.
     pub(super) place: Option<Algebraic>,
@@ -40,6 +43,7 @@ impl Extremum {
             minimum: self.minimum,
             closed: self.closed.clone(),
             scope: self.scope.clone(),
+            at_end: self.at_end,
             other,
         }
     }
@@ -123,7 +127,8 @@ impl Ground {
             minimum: rising,
             scope: Scope::Everywhere,
             closed: self.closed_form(&coefficients),
-            polynomial: open,
+            polynomial: Some(open),
+            at_end: false,
             place,
             signs,
         })
@@ -143,19 +148,35 @@ impl Ground {
             };
             // Without other letters the line is everything.
             let alone = self.letters_in(f).iter().all(|l| *l == x);
+            let at_end = self.is_an_end(&place, x);
+            let roots = match at_end {
+                true => None,
+                false => self.admitted_roots(slope.numerator(), x),
+            };
+            let only = roots.is_some_and(|roots| roots == [place.clone()]);
             return Some(Extremum {
                 minimum,
+                at_end,
                 scope: match alone {
                     true => Scope::Everywhere,
                     false => Scope::Line(x),
                 },
-                polynomial: slope.numerator().clone(),
+                polynomial: only.then(|| slope.numerator().clone()),
                 closed: None,
                 place: Some(place),
                 signs: Vec::new(),
             });
         }
         None
+    }
+
+    /// Whether a number is an end of the range of a letter that belongs to it.
+    pub(super) fn is_an_end(&self, place: &Algebraic, x: usize) -> bool {
+        let range = self.range_of(x);
+        [&range.low, &range.high]
+            .into_iter()
+            .flatten()
+            .any(|end| end.included && place.compare_rational(&end.value).is_eq())
     }
 
     /// The roots that the letter may have as values.

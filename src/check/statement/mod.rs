@@ -14,11 +14,14 @@ mod limit;
 mod line;
 mod loss;
 mod optimum;
+mod place;
 mod range;
 mod sign;
+mod value;
 
 use super::Checker;
 use super::admissible::Admissible;
+use super::stationary::{EXISTS_FOR_SOME, PartialCovariance};
 use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Origin, Value};
 use crate::expr::walk::visit;
@@ -117,6 +120,8 @@ impl Checker<'_> {
         }
         let ground = Ground::of(model, self.instance);
         let (mut units, _) = unit::audit(model);
+        let partial = self.bounded_in_all(Checker::partial_covariances);
+        let partial = partial.unwrap_or_default();
         let mut outcomes = Vec::new();
         for (index, statement) in model.statements.iter().enumerate() {
             if statement.propositions.is_empty() {
@@ -135,7 +140,7 @@ impl Checker<'_> {
                     checker.proposition(proposition, &ground, &mut units)
                 });
                 let found = match found {
-                    Ok(Ok(found)) => found,
+                    Ok(Ok(found)) => self.where_it_exists(found, proposition, &ground, &partial),
                     Ok(Err(failure)) => Found::undecided(self.reason_of(&failure)),
                     Err(exhausted) => {
                         Found::undecided(self.words_of_exhaustion(exhausted).to_string())
@@ -157,6 +162,69 @@ impl Checker<'_> {
             }
         }
         outcomes
+    }
+
+    /// What may be said where the covariances behind a proposition exist for some values of the letters only.
+    /// What was proved for all values is so for those; what is shown false by a point is, if they exist there;
+    /// how a quantity depends on the letters is seen wherever it is.
+    fn where_it_exists(
+        &self,
+        found: Found,
+        p: &Proposition,
+        ground: &Ground,
+        partial: &[PartialCovariance],
+    ) -> Found {
+        let behind = match partial {
+            [] => Vec::new(),
+            _ => self.behind(p.expressions(), partial),
+        };
+        if behind.is_empty() || found.word == VerdictWord::Undecided {
+            return found;
+        }
+        let exist = |point: &[(usize, BigRational)]| {
+            behind
+                .iter()
+                .all(|covariance| self.exists_at(covariance, point))
+        };
+        let reference: Vec<(usize, BigRational)> = (ground.reference.iter().enumerate())
+            .filter_map(|(letter, value)| Some((letter, value.clone()?)))
+            .collect();
+        let holds = found.word == VerdictWord::Holds;
+        let stands = match p.predicate {
+            Predicate::Positive
+            | Predicate::IncreasingIn
+            | Predicate::DecreasingIn
+            | Predicate::ConvexIn => {
+                let mut shown = found.facts.iter().filter_map(|fact| match fact {
+                    Fact::Witness { point, .. } => Some(exist(point)),
+                    _ => None,
+                });
+                holds || shown.next().is_some_and(|first| first && shown.all(|s| s))
+            }
+            Predicate::IndependentOf
+            | Predicate::DependsOnlyOn
+            | Predicate::SeparatesInto
+            | Predicate::ProportionalTo
+            | Predicate::Explicit
+            | Predicate::MeasuredLike => true,
+            Predicate::TendsTo => holds,
+            Predicate::Equals
+            | Predicate::CloseTo
+            | Predicate::SmallComparedWith
+            | Predicate::DependsEssentiallyOn => !p.only_in_box && exist(&reference),
+            Predicate::NotMonotoneIn
+            | Predicate::HasAMinimumIn
+            | Predicate::HasAMaximumIn
+            | Predicate::MinimalAt
+            | Predicate::MaximalAt
+            | Predicate::NearlyMinimalAt
+            | Predicate::LeastAtTheLowerBoundOf
+            | Predicate::WorseAtTheMinimumOf => false,
+        };
+        match stands {
+            true => found,
+            false => Found::undecided(EXISTS_FOR_SOME),
+        }
     }
 
     /// Whether a letter is the value of a function of others; the circle's constant is a number.

@@ -1,8 +1,5 @@
-//! Whether a value of a letter is the best one: minimal or maximal there, nearly minimal, least at the lower
-//! bound, or worse at the minimum of another quantity.
-//!
-//! The place is compared with that of the only extremum over the range of the letter, exactly; a formula
-//! for it must be the place for all values of the other letters.
+//! Whether a value of a letter is nearly the best one, the best one at its lower bound, or bad for
+//! another quantity.
 
 use super::extremum::Extremum;
 use super::line::Least;
@@ -18,167 +15,6 @@ use num_traits::One;
 use ratpoly::{Budget, Polynomial, RationalFunction, resultant_within};
 
 impl Ground {
-    /// Whether a polynomial vanishes at a value of a letter and at no other: what is left without that factor
-    /// has no zero. Of a factor more than once it is not said.
-    pub(super) fn is_the_only_root(
-        &self,
-        p: &Polynomial,
-        x: usize,
-        value: &RationalFunction,
-    ) -> bool {
-        let letter = RationalFunction::variable(self.ring, x);
-        let factor = (&letter - value).numerator().primitive_part();
-        let Some(rest) = p.div_exact(&factor) else {
-            return false;
-        };
-        let study = self.sign(&rest.into(), &Scope::Everywhere);
-        matches!(study.sign, Some(Sign::Positive | Sign::Negative)) && study.poles.is_empty()
-    }
-
-    pub(super) fn extremal_at(
-        &self,
-        f: &RationalFunction,
-        x: usize,
-        minimum: bool,
-        at: Option<RationalFunction>,
-        p: &Proposition,
-    ) -> Found {
-        let extremum = self.extremum(f, x);
-        // A formula for the place that makes the derivative vanish for all values of the letters.
-        if let Some(extremum) = &extremum
-            && extremum.minimum == minimum
-            && let Some(formula) = &at
-            && extremum.scope == Scope::Everywhere
-            && !self.letters_in(formula).contains(&x)
-            && self.is_the_only_root(&extremum.polynomial, x, formula)
-            && self.lies_in_range(formula, x)
-        {
-            let mut found = Found::of(VerdictWord::Holds, vec![extremum.fact(x, false)]);
-            found.signs.clone_from(&extremum.signs);
-            return found;
-        }
-        let value = match &at {
-            Some(formula) => self.at(formula),
-            None => self.reference[x].clone(),
-        };
-        let Some(value) = value else {
-            return match extremum {
-                None => self.no_extremum(f, x),
-                Some(_) => Found::undecided("there are no reference values"),
-            };
-        };
-        if !self.may_be(x, &value) {
-            return Found::undecided(
-                "this value of the letter is not among those that it may have",
-            );
-        }
-        let facts = |found: Found| found.and(self.extremum_facts(f, x, false));
-        let line = self.restricted(f, &[x]);
-        let least = line
-            .as_ref()
-            .and_then(|line| self.least_on_line(line, x, minimum));
-        let place = match least {
-            Some(Least::At(place, _)) => place,
-            Some(found @ (Least::AtSeveral | Least::Nowhere)) => {
-                return facts(self.not_once(f, x, minimum, &found));
-            }
-            // Letters without a value may not matter for the place.
-            None => match extremum.as_ref().filter(|e| e.minimum == minimum) {
-                Some(Extremum {
-                    place: Some(place), ..
-                }) => place.clone(),
-                _ => return self.has_extremum(f, x, minimum).unless_it_holds(),
-            },
-        };
-        let exact: Algebraic = value.clone().into();
-        let (distance, loss) = self.distance_and_loss(f, x, &exact, &place);
-        let negative = -p.tolerance.clone();
-        let near = distance.as_ref().is_some_and(|distance| {
-            distance.compare_rational(&p.tolerance).is_le()
-                && distance.compare_rational(&negative).is_ge()
-        });
-        let same = place == exact;
-        let word = match (&at, same) {
-            // The reference value is meant at the reference values of the others; what stands as `at`
-            // would have to be the place for all of theirs.
-            (Some(formula), true)
-                if formula.as_constant().is_none()
-                    || self.letters_in(f).into_iter().any(|l| l != x) =>
-            {
-                match self.misses_somewhere(f, x, formula) {
-                    true => VerdictWord::Loose,
-                    false => VerdictWord::Undecided,
-                }
-            }
-            (_, true) => VerdictWord::Holds,
-            (_, false) if near => VerdictWord::Loose,
-            (_, false) => VerdictWord::Refuted,
-        };
-        let mut all: Vec<Fact> = Vec::new();
-        all.extend(distance.map(|d| Fact::Number(Measure::Distance(x), d)));
-        all.extend(loss.map(|l| Fact::Number(Measure::Loss(x), l)));
-        all.extend(extremum.as_ref().map(|e| e.fact(x, false)));
-        all.push(Fact::Number(Measure::Stationary(x), place));
-        if word != VerdictWord::Holds {
-            all.extend(self.slope_at(f, x, &value));
-            if let Some(again) = self.same_again(f, x, &value) {
-                all.push(Fact::Number(Measure::SameAgain(x), again));
-            }
-        }
-        let mut found = Found::of(word, all);
-        if word == VerdictWord::Undecided {
-            found.reason = Some("whether it is so for all values of the letters is open".into());
-        }
-        if near && !same {
-            found = found.nearly();
-        }
-        if let Some(extremum) = extremum {
-            found.signs = extremum.signs;
-        }
-        found
-    }
-
-    /// Whether a formula lies inside of the range of a letter for all values of its own letters.
-    pub(super) fn lies_in_range(&self, formula: &RationalFunction, x: usize) -> bool {
-        let range = self.range_of(x);
-        let constant = |v: &BigRational| RationalFunction::constant(self.ring, v.clone());
-        let beyond = |f: RationalFunction, included: bool| {
-            let study = self.sign(&f, &Scope::Everywhere);
-            study.poles.is_empty()
-                && match study.sign {
-                    Some(Sign::Positive) => true,
-                    Some(Sign::NonNegative | Sign::Zero) => included,
-                    Some(Sign::Negative | Sign::NonPositive | Sign::Both) | None => false,
-                }
-        };
-        let low = range
-            .low
-            .as_ref()
-            .is_none_or(|e| beyond(formula - &constant(&e.value), e.included));
-        let high = range
-            .high
-            .as_ref()
-            .is_none_or(|e| beyond(&constant(&e.value) - formula, e.included));
-        low && high
-    }
-
-    /// Whether the derivative certainly does not vanish at a formula for some values of the letters.
-    pub(super) fn misses_somewhere(
-        &self,
-        f: &RationalFunction,
-        x: usize,
-        formula: &RationalFunction,
-    ) -> bool {
-        let there = f
-            .derivative(x)
-            .and_then(|slope| slope.substitute(&[(x, formula.clone())]));
-        there.is_ok_and(|slope| {
-            self.admissible
-                .points(&slope)
-                .any(|point| self.admissible.is_apart_from_zero(&slope, &point))
-        })
-    }
-
     /// The derivative at a value of the letter, which an extremum would make zero.
     pub(super) fn slope_at(
         &self,
@@ -299,6 +135,15 @@ impl Ground {
         if self.range_of(x).numbers != Numbers::Real {
             return Found::undecided("a bound of a letter that is not real");
         }
+        let Some(here) = self
+            .with_value(f, x, &own)
+            .filter(|here| !self.has_no_value(here))
+        else {
+            return Found::undecided("it has no value at the bound");
+        };
+        if !self.has_values_everywhere(&here) {
+            return Found::undecided("at the bound it has no value for some values of the others");
+        }
         let subject = Subject::Derivative(x);
         let everywhere = Scope::Above(x, own.clone());
         let line = Scope::LineAbove(x, own.clone());
@@ -319,11 +164,7 @@ impl Ground {
             return found;
         }
         // Where it does not rise all the way, it may still be larger everywhere above.
-        let constant = RationalFunction::constant(self.ring, own);
-        let excess = f.substitute(&[(x, constant)]).map(|here| f - &here);
-        let Ok(excess) = excess else {
-            return Found::undecided("it has no value at the bound");
-        };
+        let excess = f - &here;
         let over = self.sign(&excess, &everywhere);
         if over.sign == Some(Sign::Positive) && over.poles.is_empty() {
             let fact = Fact::Sign(Subject::Difference, Sign::Positive, everywhere);
@@ -413,14 +254,25 @@ impl Ground {
         // Elsewhere the two minima may lie near each other: where they coincide the resultant vanishes.
         let everywhere = own.scope == Scope::Everywhere && theirs.scope == Scope::Everywhere;
         let budget = Budget::default();
-        let coincide = resultant_within(&own.polynomial, &theirs.polynomial, x, &budget)
-            .and_then(|r| r.factor_within(&budget));
+        let coincide = match (&own.polynomial, &theirs.polynomial) {
+            (Some(own), Some(theirs)) if everywhere => resultant_within(own, theirs, x, &budget)
+                .and_then(|r| r.factor_within(&budget))
+                .ok(),
+            _ => None,
+        };
+        // Two polynomials of two terms that have a common root have their positive roots in common;
+        // others may have only roots in common that the letter cannot be.
+        let binomial = |p: &Option<Polynomial>| {
+            let coefficients = p.iter().flat_map(|p| p.coefficients_in(x));
+            coefficients.filter(|c| !c.is_zero()).count() == 2
+        };
+        let telling = binomial(&own.polynomial) && binomial(&theirs.polynomial);
         let mut together = false;
-        if let (Ok(resultant), true) = (coincide, everywhere) {
+        if let Some(resultant) = coincide {
             for (factor, _) in resultant.factors {
                 let study = self.sign(&factor.clone().into(), &Scope::Everywhere);
                 if !matches!(study.sign, Some(Sign::Positive | Sign::Negative)) {
-                    together |= study.points.is_some();
+                    together |= telling && study.points.is_some();
                     facts.push(Fact::Boundary(Subject::Difference, vec![factor]));
                 }
             }
