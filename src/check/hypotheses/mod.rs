@@ -22,6 +22,7 @@ use super::Checker;
 use super::worlds::Insertions;
 use crate::check::hypotheses::admitted::Admitted;
 use crate::check::hypotheses::possible::Signs;
+use crate::check::hypotheses::solve::Valid;
 use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
 use crate::expr::Relation;
@@ -265,9 +266,10 @@ impl<'m> Checker<'m> {
             }
             let signs = match hypothesis.relation {
                 Relation::Equal => {
+                    let valid = self.valid(&difference);
                     for entry in value.entries() {
                         let entry = image(exact.field.table(), entry, &next.replaced)?;
-                        self.solve(&entry, &mut exact, &mut next, (true, hypothesis.span))?;
+                        self.solve(&entry, &mut exact, &mut next, (valid, hypothesis.span))?;
                     }
                     continue;
                 }
@@ -302,13 +304,13 @@ impl<'m> Checker<'m> {
                 let x = RationalFunction::variable(self.model.ring, letter);
                 let equation = &x - &RationalFunction::constant(self.model.ring, value);
                 let span = hypotheses.first().map_or_else(Default::default, |h| h.span);
-                self.solve(&equation, &mut exact, &mut next, (true, span))?;
+                self.solve(&equation, &mut exact, &mut next, (Valid::AtAMoment, span))?;
             }
         }
         for consequence in next.consequences.clone() {
             let span = hypotheses.first().map_or_else(Default::default, |h| h.span);
             let value = image(exact.field.table(), &consequence, &next.replaced)?;
-            self.solve(&value, &mut exact, &mut next, (false, span))?;
+            self.solve(&value, &mut exact, &mut next, (Valid::AsARate, span))?;
         }
         Ok(next)
     }

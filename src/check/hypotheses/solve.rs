@@ -5,7 +5,7 @@ use crate::check::Checker;
 use crate::check::hypotheses::possible::Signs;
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Evaluator, Value};
-use crate::expr::Relation;
+use crate::expr::{Expr, Relation};
 use crate::model::range::{Numbers, Range};
 use crate::model::time::Clock;
 use crate::model::{Hypothesis, Letter};
@@ -21,6 +21,17 @@ struct Candidate {
     value: RationalFunction,
 }
 
+/// When an equation between letters holds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Valid {
+    /// At a moment at least: it says nothing of rates.
+    AtAMoment,
+    /// At all times.
+    Always,
+    /// At all times, as the rate of something else: where no letter solves it, its own rates are not looked at.
+    AsARate,
+}
+
 impl<'m> Checker<'m> {
     /// Adds what `vanishing = 0` says, in letters that are not replaced; whether its rates are to be
     /// looked at too, and where it stands.
@@ -29,7 +40,7 @@ impl<'m> Checker<'m> {
         vanishing: &RationalFunction,
         exact: &mut Evaluator<'m, Symbolic>,
         supposed: &mut Supposed,
-        (follows, span): (bool, Span),
+        (valid, span): (Valid, Span),
     ) -> Result<(), Unusable> {
         if vanishing.is_zero() {
             return Ok(());
@@ -43,7 +54,7 @@ impl<'m> Checker<'m> {
                 let essential = self.essential(vanishing.numerator(), supposed)?;
                 let candidate = self.candidate(&essential, supposed, false);
                 if candidate.is_none() && !supposed.relations.contains(&essential) {
-                    if follows {
+                    if valid == Valid::Always {
                         self.follow(&essential, exact, supposed, span);
                     }
                     supposed.relations.push(essential);
@@ -52,12 +63,15 @@ impl<'m> Checker<'m> {
             }
         };
         match candidate {
-            Some(found) => self.replace(found.letter, found.value, exact, supposed, span),
+            Some(found) => {
+                let Candidate { letter, value } = found;
+                self.replace((letter, value), exact, supposed, (valid, span))
+            }
             None => Ok(()),
         }
     }
 
-    /// What a relation between processes says of the rates: it holds at all times.
+    /// What a relation says of the rates: it holds at all times.
     fn follow(
         &mut self,
         relation: &Polynomial,
@@ -66,9 +80,6 @@ impl<'m> Checker<'m> {
         span: Span,
     ) {
         let mut rate = RationalFunction::from(relation.clone());
-        if !self.has_processes(&rate) {
-            return;
-        }
         for _ in 0..RATES {
             match exact.differentiate(Value::Scalar(rate), 1, span) {
                 Ok(Value::Scalar(next)) if !next.is_zero() => {
@@ -160,6 +171,21 @@ impl<'m> Checker<'m> {
         best.map(|(_, candidate)| candidate)
     }
 
+    /// When a hypothesis holds: one of processes always, one of constants and the time perhaps at a moment.
+    pub(super) fn valid(&mut self, difference: &Expr) -> Valid {
+        let conditions = std::mem::take(&mut self.exact.conditions);
+        let value = self.exact.expression_without_cases(difference);
+        self.exact.conditions = conditions;
+        let moves = |e: &RationalFunction| {
+            let spelt_out = self.spelt_out(e);
+            spelt_out.is_none_or(|e| self.has_processes(&e))
+        };
+        match value {
+            Ok(value) if !value.entries().iter().any(|e| moves(e)) => Valid::AtAMoment,
+            Ok(_) | Err(_) => Valid::Always,
+        }
+    }
+
     /// Whether a process or a rate stands behind an element.
     fn has_processes(&self, element: &RationalFunction) -> bool {
         let behind = self.exact.field.letters_behind(element);
@@ -187,13 +213,12 @@ impl<'m> Checker<'m> {
     /// Replaces a letter, and its time derivatives by those of its value.
     fn replace(
         &mut self,
-        letter: usize,
-        value: RationalFunction,
+        first: (usize, RationalFunction),
         exact: &mut Evaluator<'m, Symbolic>,
         supposed: &mut Supposed,
-        span: Span,
+        (valid, span): (Valid, Span),
     ) -> Result<(), Unusable> {
-        let mut pending = vec![(letter, value)];
+        let mut pending = vec![first];
         while let Some((letter, value)) = pending.pop() {
             let table = exact.field.table().cloned();
             let only = [(letter, value.clone())];
@@ -215,9 +240,7 @@ impl<'m> Checker<'m> {
             let Letter::Symbol { symbol, order } = self.model.letters[letter] else {
                 continue;
             };
-            // Constants and the time may be related so at a moment.
-            let own = RationalFunction::variable(self.model.ring, letter);
-            if !self.has_processes(&own) && !self.has_processes(&value) {
+            if valid == Valid::AtAMoment {
                 continue;
             }
             let Ok(Value::Scalar(rate)) = exact.differentiate(Value::Scalar(value), 1, span) else {
