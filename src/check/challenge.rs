@@ -26,10 +26,10 @@ const COMPLETIONS: usize = 12;
 const WORK: u64 = 300_000;
 
 /// What a second route finds at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 enum There {
     /// The sides are apart.
-    Apart,
+    Apart(Box<Shown>),
     /// They are the same, to many digits.
     Together,
     /// A side certainly has no value: the point shows nothing.
@@ -142,7 +142,7 @@ impl<'m> Checker<'m> {
                         Err("at the point at which the formulas differ a side has no value".into())
                     }
                     (There::Together, None) => Err(disagree.into()),
-                    (There::Apart | There::Unknown, _) => Ok(refutation),
+                    (There::Apart(_) | There::Unknown, _) => Ok(refutation),
                 }
             }
             Decision::False(open, _) => match found.apart {
@@ -181,7 +181,17 @@ impl<'m> Checker<'m> {
             false => There::Together,
         };
         match own {
-            There::Apart | There::Unknown => return Ok(refutation),
+            // The engine compares the difference with zero; what was printed are the sides.
+            There::Apart(shown) if shown.matrix.is_none() && shown.can_be_written() => {
+                let sides = self.witness_of(&shown);
+                let point = witness.point.clone();
+                let mut found = Refutation::at(Witness { point, ..sides });
+                found.searched = refutation.searched;
+                found.residual = refutation.residual;
+                found.part = refutation.part;
+                return Ok(found);
+            }
+            There::Apart(_) | There::Unknown => return Ok(refutation),
             There::Together | There::NoValue => {}
         }
         match self.violated(equation, link) {
@@ -272,7 +282,7 @@ impl<'m> Checker<'m> {
             }
             match self.found_at(&world, equation, link, &point) {
                 There::NoValue => {}
-                found @ (There::Apart | There::Together | There::Unknown) => return found,
+                found @ (There::Apart(_) | There::Together | There::Unknown) => return found,
             }
         }
         There::NoValue
@@ -281,7 +291,7 @@ impl<'m> Checker<'m> {
     fn found_at(&self, world: &World<'m>, equation: usize, link: &Link, point: &Point) -> There {
         for bits in BITS {
             match world.compare(equation, link, point, bits, WORK) {
-                Comparison::Apart(_) => return There::Apart,
+                Comparison::Apart(shown) => return There::Apart(shown),
                 // A small difference of large numbers shows only with more digits.
                 Comparison::Overlap { narrow: true } if Some(&bits) == BITS.last() => {
                     return There::Together;
