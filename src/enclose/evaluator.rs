@@ -158,7 +158,9 @@ impl<'w, 'm> Evaluator<'w, 'm> {
                 Value::Scalar(_) if !latex::is_matrix_like(inner) => {
                     unsupported(latex::SCALAR_TRANSPOSED)
                 }
-                value => Ok(value.transposed()),
+                value @ (Value::Scalar(_) | Value::Matrix(_) | Value::Zero) => {
+                    Ok(value.transposed())
+                }
             },
             ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
             ExprKind::BigSum {

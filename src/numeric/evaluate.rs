@@ -169,7 +169,9 @@ impl<'r, R: Resolver> Evaluator<'r, R> {
                 Value::Scalar(_) if !latex::is_matrix_like(inner) => {
                     Err(Failure::unsupported(latex::SCALAR_TRANSPOSED, span))
                 }
-                value => Ok(value.transposed()),
+                value @ (Value::Scalar(_) | Value::Matrix(_) | Value::Zero) => {
+                    Ok(value.transposed())
+                }
             },
             ExprKind::Matrix { rows, .. } => self.matrix(rows, span),
             ExprKind::Call { function, argument } => self.call(*function, argument, span),

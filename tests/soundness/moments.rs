@@ -231,11 +231,7 @@ fn parts_and_moduli_of_complex_letters() {
         );
         both(
             format!("|{f}|^2"),
-            format!(
-                "{}^2 + {}^2",
-                format!("({})", re(f)),
-                format!("({})", im(f))
-            ),
+            format!("({})^2 + ({})^2", re(f), im(f)),
             format!("({f})^2"),
         );
         both(

@@ -76,7 +76,15 @@ pub(super) fn emptied(
     if form::same_form(after[0], after[1]) && (several || put_in) {
         return Some(Emptied::Restatement);
     }
-    if put_in && renames(candidate, several) && restated::says_a_definition_again(model, &after) {
+    // A print that gives a definition in other words, with a slip in it, means that definition.
+    let defined = |name: &String| {
+        let mut definitions = model.definitions.iter();
+        definitions.any(|d| crate::latex::canonical(&d.name) == *name)
+    };
+    if gained.iter().flatten().any(defined)
+        && renames(candidate, several)
+        && restated::says_a_definition_again(model, &after)
+    {
         return Some(Emptied::Restatement);
     }
     for (k, side) in after.iter().enumerate() {
