@@ -11,6 +11,7 @@ pub mod walk;
 
 use crate::span::Span;
 use num_rational::BigRational;
+use std::sync::Arc;
 
 /// A printed expression with its place in the document.
 #[derive(Clone, Debug)]
@@ -414,8 +415,8 @@ impl Eq for Clause {}
 /// Everything that stands under one equation number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Display {
-    /// The clauses in the order of reading.
-    pub clauses: Vec<Clause>,
+    /// The clauses in the order of reading, shared between displays that differ in one of them.
+    pub clauses: Vec<Arc<Clause>>,
     /// Number printed by `\tag` or at the end of the display, if any.
     pub tag: Option<String>,
 }

@@ -15,6 +15,9 @@ use crate::verdict::{
 };
 use ratpoly::allowance::Exhausted;
 
+/// The most clauses that the corrected displays of one equation have together, if each of its links has one.
+const CORRECTED_CLAUSES: usize = 2_000_000;
+
 impl Checker<'_> {
     /// The verdict on one link, with what shows it.
     pub(super) fn verdict(
@@ -402,6 +405,22 @@ impl Checker<'_> {
         // Where the document says what is meant instead, nothing is misprinted in the equation.
         let settings = &self.model.equations[equation].settings;
         if !self.options.repair || settings.instead.is_some() {
+            return Verdict::Refuted(refutation);
+        }
+        // Each correction keeps the display that it makes.
+        let own = self.model.equations[equation]
+            .links
+            .iter()
+            .position(|l| l == link);
+        let clauses = self.exact.display(equation).clauses.len();
+        if own.unwrap_or(0).saturating_mul(clauses) > CORRECTED_CLAUSES {
+            refutation.searched = Some(Searched {
+                tried: 0,
+                of: 0,
+                budget: self.options.candidates,
+                ended: Some(Ended::Work),
+                empty: 0,
+            });
             return Verdict::Refuted(refutation);
         }
         if let Some(tell) = self.tell {

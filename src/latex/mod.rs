@@ -64,6 +64,7 @@ use crate::span::Span;
 use lexer::{Delimiter, Token};
 use parser::Parser;
 use signature::Head;
+use std::sync::Arc;
 
 /// Reads everything that stands under one equation number. `offset` is the place of `text` in
 /// its document.
@@ -85,9 +86,10 @@ pub fn parse_printed(
     let tag = layout.tag.clone();
     let mut parser = Parser::new(layout, signature);
     let clauses = parser.display();
-    parser
-        .finish(clauses)
-        .map(|(clauses, readings)| (Display { clauses, tag }, readings))
+    parser.finish(clauses).map(|(clauses, readings)| {
+        let clauses = clauses.into_iter().map(Arc::new).collect();
+        (Display { clauses, tag }, readings)
+    })
 }
 
 /// Reads one expression.

@@ -14,6 +14,7 @@ use crate::diagnostic::DiagnosticKind;
 use crate::document::Text;
 use crate::expr::{Chain, Clause, Display, Expr, ExprKind, Relation, Separation, Sign};
 use crate::latex;
+use std::sync::Arc;
 
 /// The conditions of a display, taken out of it.
 #[derive(Default)]
@@ -127,7 +128,7 @@ impl Builder {
     }
 
     /// `a > 0` for the `a` of `a, b > 0`.
-    fn shared_relation(&self, clauses: &[Clause], conditional: &[bool]) -> Option<Chain> {
+    fn shared_relation(&self, clauses: &[Arc<Clause>], conditional: &[bool]) -> Option<Chain> {
         let subject = &clauses[0].chain;
         let with = clauses.iter().zip(conditional).skip(1);
         let with = with.take_while(|(_, conditional)| **conditional);
@@ -143,7 +144,7 @@ impl Builder {
     }
 
     /// Refuses `0 < a, b < 1`, which may mean that both lie between.
-    fn two_sided(&mut self, clauses: &[Clause]) {
+    fn two_sided(&mut self, clauses: &[Arc<Clause>]) {
         let [first, second, ..] = clauses else {
             return;
         };

@@ -6,6 +6,7 @@
 
 use crate::expr::walk::{children_mut, visit};
 use crate::expr::{Chain, Display, Expr, ExprKind, Relation};
+use std::sync::Arc;
 
 /// Where in a display an expression stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -138,7 +139,7 @@ pub fn each_expression<'a>(display: &'a Display, see: &mut impl FnMut(&'a Expr))
 impl Place {
     /// The expression at this place of a display, to be changed.
     pub fn find_mut(self, display: &mut Display) -> Option<&mut Expr> {
-        let chain = &mut display.clauses.get_mut(self.clause())?.chain;
+        let chain = &mut Arc::make_mut(display.clauses.get_mut(self.clause())?).chain;
         let (brace, label_member) = match self {
             Place::Member { member, .. } => return chain.members.get_mut(member),
             Place::Body { brace, .. } => (brace, None),

@@ -10,6 +10,7 @@ use crate::model::links::each_expression;
 use crate::model::{Letter, Model};
 use num_rational::BigRational;
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// A document with a rewritten equation.
 #[derive(Clone, Debug)]
@@ -152,7 +153,7 @@ fn replaced(expr: &mut Expr, what: &ExprKind, by: &Expr) {
 
 fn replace_in(display: &Display, what: &ExprKind, by: &Expr) -> Display {
     let mut display = display.clone();
-    for clause in &mut display.clauses {
+    for clause in display.clauses.iter_mut().map(Arc::make_mut) {
         for member in &mut clause.chain.members {
             replaced(member, what, by);
         }

@@ -18,6 +18,7 @@ use crate::model::{Model, Node, Role};
 use crate::span::Span;
 use num_rational::BigRational;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// How a true claim is said in another way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -91,7 +92,7 @@ pub(super) fn rewritings(model: &Model, links: &[LinkAt]) -> Vec<Rewritten> {
     let mut found = Vec::new();
     for &at in links {
         let equation = &model.equations[at.0];
-        let braces = |clause: &Clause| !underbraces(&clause.chain).is_empty();
+        let braces = |clause: &Arc<Clause>| !underbraces(&clause.chain).is_empty();
         // Where an underbrace stands, places are counted along it; such a display stays as it is.
         if equation.display.clauses.iter().any(braces) {
             continue;
@@ -389,7 +390,7 @@ fn whole(model: &Model, (e, l): LinkAt, push: Push<'_>) {
     }
     let mut put = |rewriting, members: [Expr; 2], relation| {
         let mut display = equation.display.clone();
-        let chain = &mut display.clauses[clause].chain;
+        let chain = &mut Arc::make_mut(&mut display.clauses[clause]).chain;
         chain.members = members.to_vec();
         chain.relations = vec![relation];
         // A link keeps the relation that its document gave it: with another one it is read anew.
@@ -463,10 +464,10 @@ fn split(model: &Model, (e, l): LinkAt, push: Push<'_>) {
             relations: vec![chain.relations[k]],
             span: chain.span,
         },
-        ..clause.clone()
+        ..Clause::clone(clause)
     });
     let mut display = equation.display.clone();
-    display.clauses = clauses.collect();
+    display.clauses = clauses.map(Arc::new).collect();
     // What one settings table says of a member keeps its number, as links are numbered alike.
     if let Some(anew) = Anew::of(model, e, &display, "", 1..=chain.relations.len()) {
         push(Rewriting::SplitChain, display, Some(anew));

@@ -8,6 +8,7 @@ use crate::expr::walk::{children_mut, own_name_mut};
 use crate::expr::{Chain, Display, Expr, ExprKind, Letter, Name};
 use crate::latex::canonical;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// The letters with dots that are letters of their own.
 #[derive(Clone, Debug, Default)]
@@ -51,7 +52,7 @@ impl Accents {
             return None;
         }
         let mut display = display.clone();
-        for clause in &mut display.clauses {
+        for clause in display.clauses.iter_mut().map(Arc::make_mut) {
             self.chain(&mut clause.chain);
         }
         Some(display)

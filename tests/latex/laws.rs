@@ -10,6 +10,7 @@ use rederive::latex::{
     Signature, canonical, parse_display, parse_expr, parse_name, write_display, write_expr,
 };
 use rederive::span::Span;
+use std::sync::Arc;
 
 fn at(kind: ExprKind) -> Expr {
     Expr::new(kind, Span::default())
@@ -367,7 +368,7 @@ fn bare_chain(chain: &Chain) -> Chain {
 
 fn bare_display(display: &Display) -> Display {
     let mut display = display.clone();
-    for clause in &mut display.clauses {
+    for clause in display.clauses.iter_mut().map(Arc::make_mut) {
         clause.chain = bare_chain(&clause.chain);
     }
     display
@@ -403,7 +404,10 @@ fn display() -> impl Strategy<Value = Display> {
             remark,
         });
     let tag = prop::option::of(Just("12a".to_owned()));
-    (prop::collection::vec(clause, 1..4), tag).prop_map(|(clauses, tag)| Display { clauses, tag })
+    (prop::collection::vec(clause, 1..4), tag).prop_map(|(clauses, tag)| Display {
+        clauses: clauses.into_iter().map(Arc::new).collect(),
+        tag,
+    })
 }
 
 /// The same draws in every run, others where `PROPTEST_RNG_SEED` is set: what a test says must not

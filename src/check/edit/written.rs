@@ -248,7 +248,7 @@ mod tests {
             signature.declare(&Name::italic(letter));
         }
         let mut display = parse_display(text, 0, &signature).expect("a formula");
-        display.clauses.remove(0).chain.members.remove(0)
+        display.clauses.remove(0).chain.members[0].clone()
     }
 
     #[test]
