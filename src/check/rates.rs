@@ -65,6 +65,7 @@ impl Checker<'_> {
         self.has_moments(equation, link) && bounded()
             || self.ties_rates(equation, link)
             || self.is_timed(equation, true)
+            || self.ties_processes(equation) && self.is_timed(equation, false)
             || self.starts_somewhere(equation, link)
     }
 
@@ -128,12 +129,7 @@ impl Checker<'_> {
         let world = evaluate::symbolic(model).in_instance(self.instance);
         let world = world.corrected_as(self.exact.world()).inserting();
         let mut exact = world.evaluator(model.field());
-        let is_time = |letter: &usize| match model.letters[*letter] {
-            Letter::Symbol { symbol, order: 0 } => {
-                !self.is_process(symbol) && model.is_time(&model.symbols[symbol].name)
-            }
-            Letter::Symbol { .. } | Letter::Abbreviation { .. } | Letter::Function { .. } => false,
-        };
+        let is_time = |letter: &usize| self.is_clock(*letter);
         let is_rate = |letter: &usize| match model.letters[*letter] {
             Letter::Symbol { symbol, .. } => self.is_process(symbol),
             Letter::Abbreviation { .. } | Letter::Function { .. } => false,
@@ -142,21 +138,22 @@ impl Checker<'_> {
             .into_iter()
             .filter(|h| h.relation == Relation::Equal)
             .any(|h| {
-                let Ok(Value::Scalar(value)) = exact.expression_without_cases(&h.difference())
-                else {
+                let Ok(value) = exact.expression_without_cases(&h.difference()) else {
                     return false;
                 };
-                let behind = exact.field.letters_behind(&value);
-                if !behind.iter().any(is_time) || behind.iter().any(is_rate) {
-                    return false;
-                }
-                if !perhaps_always {
-                    return true;
-                }
-                match exact.differentiate(Value::Scalar(value), 1, h.span) {
-                    Ok(Value::Scalar(rate)) => !self.signs(rate.numerator()).excludes_zero(),
-                    Ok(Value::Matrix(_) | Value::Zero) | Err(_) => true,
-                }
+                value.entries().iter().any(|entry| {
+                    let behind = exact.field.letters_behind(entry);
+                    if !behind.iter().any(is_time) || behind.iter().any(is_rate) {
+                        return false;
+                    }
+                    if !perhaps_always {
+                        return true;
+                    }
+                    match exact.differentiate(Value::Scalar((*entry).clone()), 1, h.span) {
+                        Ok(Value::Scalar(rate)) => !self.signs(rate.numerator()).excludes_zero(),
+                        Ok(Value::Matrix(_) | Value::Zero) | Err(_) => true,
+                    }
+                })
             })
     }
 

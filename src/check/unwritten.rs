@@ -307,7 +307,7 @@ impl Checker<'_> {
     }
 
     /// Whether a hypothesis of an equation is about processes themselves and not about their moments.
-    fn ties_processes(&self, equation: usize) -> bool {
+    pub(super) fn ties_processes(&self, equation: usize) -> bool {
         let mut sides = self
             .hypotheses_of(equation)
             .flat_map(|h| [&h.left, &h.right]);

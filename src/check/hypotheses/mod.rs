@@ -247,6 +247,10 @@ impl<'m> Checker<'m> {
         for (letter, value) in &before.replaced {
             self.transfer(*letter, value, &mut next)?;
         }
+        // What is put in at a moment is no value at other times: then nothing is said of rates.
+        let moment = hypotheses
+            .iter()
+            .any(|h| h.relation == Relation::Equal && self.is_of_a_moment(h));
         // Signs first: they tell which slopes do not vanish.
         let equations = |h: &&&Hypothesis| h.relation == Relation::Equal;
         let orders = hypotheses.iter().filter(|h| !equations(h));
@@ -266,7 +270,10 @@ impl<'m> Checker<'m> {
             }
             let signs = match hypothesis.relation {
                 Relation::Equal => {
-                    let valid = self.valid(&difference);
+                    let valid = match moment {
+                        true => Valid::AtAMoment,
+                        false => self.valid(&difference),
+                    };
                     for entry in value.entries() {
                         let entry = image(exact.field.table(), entry, &next.replaced)?;
                         self.solve(&entry, &mut exact, &mut next, (valid, hypothesis.span))?;
@@ -301,6 +308,10 @@ impl<'m> Checker<'m> {
             let known = next.replaced.iter().any(|(l, _)| *l == letter);
             let symbol = matches!(self.model.letters[letter], Letter::Symbol { .. });
             if let (Some(value), false, true) = (single, known, symbol) {
+                if self.is_clock(letter) {
+                    let what = "a time between two equal ends";
+                    return Err(Unusable::Outside(what.into()));
+                }
                 let x = RationalFunction::variable(self.model.ring, letter);
                 let equation = &x - &RationalFunction::constant(self.model.ring, value);
                 let span = hypotheses.first().map_or_else(Default::default, |h| h.span);
@@ -310,7 +321,11 @@ impl<'m> Checker<'m> {
         for consequence in next.consequences.clone() {
             let span = hypotheses.first().map_or_else(Default::default, |h| h.span);
             let value = image(exact.field.table(), &consequence, &next.replaced)?;
-            self.solve(&value, &mut exact, &mut next, (Valid::AsARate, span))?;
+            let valid = match moment {
+                true => Valid::AtAMoment,
+                false => Valid::AsARate,
+            };
+            self.solve(&value, &mut exact, &mut next, (valid, span))?;
         }
         Ok(next)
     }

@@ -186,6 +186,37 @@ impl<'m> Checker<'m> {
         }
     }
 
+    /// Whether an equation among hypotheses, or an entry of it, is between constants and the time.
+    pub(super) fn is_of_a_moment(&mut self, hypothesis: &Hypothesis) -> bool {
+        let conditions = std::mem::take(&mut self.exact.conditions);
+        let value = self
+            .exact
+            .expression_without_cases(&hypothesis.difference());
+        self.exact.conditions = conditions;
+        value.is_ok_and(|value| {
+            value.entries().iter().any(|entry| {
+                let Some(entry) = self.spelt_out(entry) else {
+                    return false;
+                };
+                let mut behind = self.exact.field.letters_behind(&entry).into_iter();
+                behind.any(|l| self.is_clock(l)) && !self.has_processes(&entry)
+            })
+        })
+    }
+
+    /// Whether a letter is a time: it goes on by itself.
+    pub(in crate::check) fn is_clock(&self, letter: usize) -> bool {
+        match self.model.letters[letter] {
+            Letter::Symbol { symbol, order: 0 } => {
+                let declared = &self.model.symbols[symbol];
+                declared.function_of.is_none()
+                    && (self.model.is_time(&declared.name)
+                        || matches!(self.model.clock(symbol), Clock::Runs(_)))
+            }
+            Letter::Symbol { .. } | Letter::Abbreviation { .. } | Letter::Function { .. } => false,
+        }
+    }
+
     /// Whether a process or a rate stands behind an element.
     fn has_processes(&self, element: &RationalFunction) -> bool {
         let behind = self.exact.field.letters_behind(element);
@@ -269,15 +300,10 @@ impl<'m> Checker<'m> {
                         }
                     }
                 },
-                // What does not move has no rate.
+                // What does not move has no rate, and a time that has a value always is none.
                 None if constant => {
                     let difference = &rate - &own;
-                    // At a moment the time is a number.
-                    let moment = rate.is_zero() && !own.is_zero();
-                    if !difference.is_zero()
-                        && !moment
-                        && !supposed.consequences.contains(&difference)
-                    {
+                    if !difference.is_zero() && !supposed.consequences.contains(&difference) {
                         supposed.consequences.push(difference);
                     }
                 }
