@@ -64,6 +64,36 @@ fn a_hypothesis_with_the_time_says_nothing_at_a_moment_at_which_it_is_empty() {
             claims.extend(Claim::assumed_and_given(&equal, &[&empty], Open));
         }
     }
+    // What processes are tied by always, beside a moment.
+    for (relation, at) in [
+        (r"r^3 + r = x\cos t", r"\pi/2"),
+        ("r^3 + r = xt", "0"),
+        (r"r^3 + r = x\sin t", r"\pi"),
+        ("r^2 = e^{xt}", "0"),
+        (r"e^r = 2 + x\sin^2 t", r"\pi"),
+        (r"r^2 = 2 + \sin(xt)", "0"),
+    ] {
+        for moment in [
+            vec![format!("t = {at}")],
+            vec!["t = y".into(), format!("y = {at}")],
+        ] {
+            let mut all = vec![relation];
+            all.extend(moment.iter().map(String::as_str));
+            for claim in ["x = 0", r"x^2 \le 0", "x < 1"] {
+                claims.extend(Claim::assumed_and_given(claim, &all, False));
+            }
+        }
+    }
+    for (relation, other) in [
+        ("t(1 + r^2) = 0", "q = xt"),
+        ("r = t", "r = 1"),
+        ("te^r = 0", "z = xt"),
+    ] {
+        for claim in [r"\dot r = 1", r"\dot r = 0", r"\dot q = 0", "x = 0"] {
+            claims.extend(Claim::assumed_and_given(claim, &[relation, other], Open));
+            claims.extend(Claim::assumed_and_given(claim, &[other, relation], Open));
+        }
+    }
     for (c, angle, value) in [
         ("a", r"\pi/2", "0"),
         ("b", r"\pi", "-1"),

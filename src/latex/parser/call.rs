@@ -110,6 +110,10 @@ impl Parser<'_> {
         self.push_factor(&mut factors)?;
         if lettered {
             while self.at_letters() {
+                // A printed space may end the argument: `\sin x\, y`.
+                if self.lexemes[self.position].gap {
+                    return Err(self.reach());
+                }
                 if matches!(self.peek(), Some(Token::Number(_))) {
                     self.number_after(factors.last())?;
                 }
