@@ -288,6 +288,11 @@ impl<'m> Checker<'m> {
         There::NoValue
     }
 
+    /// Whether a side certainly has no value at the point of a witness.
+    pub(super) fn has_no_value_at(&self, equation: usize, link: &Link, witness: &Witness) -> bool {
+        matches!(self.at_witness(equation, link, witness), There::NoValue)
+    }
+
     fn found_at(&self, world: &World<'m>, equation: usize, link: &Link, point: &Point) -> There {
         for bits in BITS {
             match world.compare(equation, link, point, bits, WORK) {

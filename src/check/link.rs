@@ -346,7 +346,11 @@ impl Checker<'_> {
                 }
                 // What it lacks is a hypothesis; an edit would be an invention.
                 if let Some((part, witness)) = self.part(&entries) {
-                    let mut on_part = Refutation::at(witness);
+                    // Where a side has no value nothing is shown.
+                    let mut on_part = match self.has_no_value_at(equation, link, &witness) {
+                        true => refutation.clone(),
+                        false => Refutation::at(witness),
+                    };
                     on_part.residual = std::mem::take(&mut refutation.residual);
                     on_part.part = Some(part);
                     return Verdict::Refuted(on_part);
