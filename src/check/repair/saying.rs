@@ -76,12 +76,15 @@ pub(super) fn emptied(
     if form::same_form(after[0], after[1]) && (several || put_in) {
         return Some(Emptied::Restatement);
     }
-    // A print that gives a definition in other words, with a slip in it, means that definition.
+    // A print that gives a definition in other words, with one letter lost inside of it, means that definition.
     let defined = |name: &String| {
         let mut definitions = model.definitions.iter();
         definitions.any(|d| crate::latex::canonical(&d.name) == *name)
     };
-    if gained.iter().flatten().any(defined)
+    let whole = candidate.steps.iter().any(|s| s.address.path.is_empty());
+    let meant = !several && !whole && !gained.iter().flatten().any(defined);
+    if put_in
+        && !meant
         && renames(candidate, several)
         && restated::says_a_definition_again(model, &after)
     {
