@@ -637,3 +637,59 @@ fn verdicts_do_not_depend_on_what_stands_before() {
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert!(10 * open <= claims.len(), "{open} undecided");
 }
+
+#[test]
+fn what_holds_of_all_values_is_no_correction() {
+    let mut text = r"# M
+```toml symbols
+a = { positive = true }
+t = { }
+p = { function_of = 't' }
+q = { function_of = 't' }
+'\mathbf{u}' = { shape = [2, 1] }
+'\mathbf{v}' = { shape = [2, 1] }
+'\mathbf{A}' = { shape = [2, 2] }
+'\mathbf{S}' = { shape = [2, 2], symmetric = true }
+```
+```math 1 define
+\mathbf{C} = \mathbf{A}\mathbf{S}
+```
+"
+    .to_string();
+    let mut claims: Vec<String> = [
+        r"\mathbf{u} = \mathbf{v}",
+        r"\mathbf{v} = \mathbf{u}",
+        r"\mathbf{A}\mathbf{u} = \mathbf{v}",
+        r"\dot p = 1",
+        r"\dot p = 0",
+        r"\dot p + \dot q = 1",
+    ]
+    .map(String::from)
+    .into();
+    for n in 2..12 {
+        claims.push(format!(r"\frac{{1}}{{{n}}} = 0.{}", 100 / n + 1));
+        claims.push(format!(r"0.{} = \frac{{1}}{{{n}}}", 100 / n + 1));
+    }
+    for (k, claim) in claims.iter().enumerate() {
+        text += &format!("\n```math c{k} claim\n{claim}\n```\n");
+    }
+    let options = Options {
+        candidates: 3_000,
+        ..Options::default()
+    };
+    let audit = audit(&text, options).unwrap_or_else(|rejection| panic!("{rejection}"));
+    let mut wrong = Vec::new();
+    for outcome in &audit.outcomes {
+        let equation = &audit.model.equations[outcome.equation];
+        match &outcome.verdict {
+            Verdict::Refuted(_) | Verdict::Definition { .. } => {}
+            Verdict::Misprint { correction, .. } => wrong.push(format!(
+                "{} -> {}",
+                latex::write_display(&equation.display),
+                latex::write_display(&correction.display)
+            )),
+            other => wrong.push(format!("{} is {}", equation.label, other.word())),
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

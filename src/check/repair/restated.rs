@@ -5,8 +5,8 @@
 //! sides follows from the definitions alone, whatever the letters are called. And where the print is about
 //! letters, an equation between constants is about nothing any more.
 
-use crate::check::edit::form;
-use crate::expr::walk::{children, children_mut};
+use crate::check::edit::{form, written};
+use crate::expr::walk::{children, children_mut, visit};
 use crate::expr::{Expr, ExprKind, Name};
 use crate::latex;
 use crate::model::{DefinitionKind, Model, NotationKind};
@@ -32,6 +32,40 @@ pub(super) fn says_a_definition_again(model: &Model, sides: &[&Expr; 2]) -> bool
     // What stacks vectors that are defined says in one equation what several say: no two of them are compared.
     let scalar = !form::is_ordered(&left) && !form::is_ordered(&right);
     changed && scalar && form::same_form(&left, &right)
+}
+
+/// Whether one side is a name that was put in, and the other what it is defined as.
+pub(super) fn is_definition(
+    model: &Model,
+    sides: &[&Expr; 2],
+    gained: &[BTreeSet<String>; 2],
+) -> bool {
+    (0..2).any(|k| {
+        let Some(name) = sides[k].as_name().map(latex::canonical) else {
+            return false;
+        };
+        gained[k].contains(&name)
+            && defined_as(model, sides[k])
+                .is_some_and(|value| written::arranged(&value) == written::arranged(sides[1 - k]))
+    })
+}
+
+/// Whether a rate of the time itself stands there, which is one.
+pub(super) fn rates_the_time(model: &Model, sides: &[&Expr; 2]) -> bool {
+    let mut found = false;
+    for side in sides {
+        visit(side, &mut |e| {
+            found |= e
+                .as_name()
+                .is_some_and(|name| name.dots > 0 && model.is_time(&name.undotted()));
+        });
+    }
+    found
+}
+
+/// Whether both sides are one number, perhaps written as a fraction.
+pub(super) fn is_one_number(sides: &[&Expr; 2]) -> bool {
+    sides.iter().all(|side| is_numeric(side))
 }
 
 /// Puts what names are defined as in their places; whether there was room.

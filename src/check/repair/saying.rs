@@ -65,6 +65,9 @@ pub(super) fn emptied(
     if restated::only_constants(model, &before, &after) {
         return Some(Emptied::Lost);
     }
+    if restated::is_one_number(&after) {
+        return Some(Emptied::Tautology);
+    }
     if several && restated::about_numbers(model, &before) {
         return Some(Emptied::Fitted);
     }
@@ -89,6 +92,20 @@ pub(super) fn emptied(
         && restated::says_a_definition_again(model, &after)
     {
         return Some(Emptied::Restatement);
+    }
+    if restated::is_definition(model, &after, &gained) || restated::rates_the_time(model, &after) {
+        return Some(Emptied::Restatement);
+    }
+    // u^T v = v^T u: each side was multiplied by the other.
+    let multiplied = |k: usize| {
+        let (own, other) = (written::names(before[k]), written::names(before[1 - k]));
+        let kept = own.keys().all(|name| mentions_named(after[k], name));
+        kept && gained[k]
+            .iter()
+            .any(|name| other.contains_key(name) && !own.contains_key(name))
+    };
+    if several && multiplied(0) && multiplied(1) {
+        return Some(Emptied::BothSides);
     }
     for (k, side) in after.iter().enumerate() {
         let other = 1 - k;
@@ -157,6 +174,10 @@ fn renames(candidate: &Candidate, several: bool) -> bool {
 
 fn sides<'d>(display: &'d Display, link: &Link) -> Option<[&'d Expr; 2]> {
     Some([link.left.find(display)?, link.right.find(display)?])
+}
+
+fn mentions_named(expr: &Expr, name: &str) -> bool {
+    written::names(expr).contains_key(name)
 }
 
 /// The names that a side has more often than before.
