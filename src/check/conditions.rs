@@ -27,7 +27,7 @@ impl Checker<'_> {
         let mut found: Vec<NonVanishing> = Vec::new();
         for condition in &self.exact.conditions {
             // What must be positive is named whole: two negative factors would do.
-            if let Origin::Stability(_) | Origin::Range(_) = condition.origin {
+            if let Origin::Stability(_) | Origin::Range { .. } = condition.origin {
                 let factor = self.without_positive_factors(&condition.divisor);
                 let meant = NonVanishing {
                     factor,
@@ -91,7 +91,7 @@ impl Checker<'_> {
         }
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
         self.exact.conditions.iter().any(|condition| {
-            if matches!(condition.origin, Origin::Range(_)) {
+            if matches!(condition.origin, Origin::Range { .. }) {
                 return false;
             }
             let inserted = match self.functions() {

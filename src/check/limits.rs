@@ -309,7 +309,7 @@ impl Checker<'_> {
                 && let Some(letter) = self.model.letter_of_symbol(approach.symbol, 0)
                 && met.iter().any(|c| {
                     let behind = self.exact.field.letters_behind(&c.divisor);
-                    matches!(c.origin, Origin::Range(_)) && behind.iter().eq([&letter])
+                    matches!(c.origin, Origin::Range { .. }) && behind.iter().eq([&letter])
                 })
             {
                 return Err(unsupported("a limit outside of the range of a definition"));

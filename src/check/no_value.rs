@@ -18,10 +18,10 @@ impl Checker<'_> {
     pub(super) fn vanishing_divisor(&self) -> Option<Failure> {
         // The end of a range may belong to it.
         let divisors = self.exact.conditions.iter();
-        let mut divisors = divisors.filter(|c| !matches!(c.origin, Origin::Range(_)));
+        let mut divisors = divisors.filter(|c| !matches!(c.origin, Origin::Range { .. }));
         let zero = divisors.find(|c| self.vanishes(&c.divisor))?;
         let span = match &zero.origin {
-            Origin::Divisor(span) | Origin::Range(span) => *span,
+            Origin::Divisor(span) | Origin::Range { span, .. } => *span,
             Origin::Determinant(equation) | Origin::Stability(equation) => {
                 self.model.equations[*equation].span
             }

@@ -306,7 +306,10 @@ impl<D: Domain> Evaluator<'_, D> {
                 let meant = supposed.iter().filter(|s| !depends(&s.element));
                 self.conditions.extend(meant.map(|s| super::Condition {
                     divisor: s.element.clone(),
-                    origin: super::Origin::Range(span),
+                    origin: super::Origin::Range {
+                        span,
+                        strict: s.strict,
+                    },
                 }));
                 self.choice.met = self.choice.met.max(self.choice.radix);
                 self.choice.supposed.extend(supposed);
@@ -372,7 +375,10 @@ impl<D: Domain> Evaluator<'_, D> {
                 if !self.field.letters(&divisor).is_empty() {
                     self.conditions.push(super::Condition {
                         divisor,
-                        origin: super::Origin::Range(span),
+                        origin: super::Origin::Range {
+                            span,
+                            strict: matches!(relation, Relation::Less | Relation::Greater),
+                        },
                     });
                 }
             }

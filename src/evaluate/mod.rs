@@ -72,7 +72,12 @@ pub enum Origin {
     Stability(usize),
     /// It must not be negative for the argument of a function to lie in the range of its definition, and
     /// positive where the end does not belong to the range.
-    Range(Span),
+    Range {
+        /// Where the function is applied.
+        span: Span,
+        /// Whether the end is left out.
+        strict: bool,
+    },
 }
 
 /// The letters of a model's ring, each standing for itself.

@@ -255,7 +255,7 @@ fn cancelled(
     for condition in conditions {
         match condition.origin {
             Origin::Divisor(_) | Origin::Determinant(_) => {}
-            Origin::Stability(_) | Origin::Range(_) => continue,
+            Origin::Stability(_) | Origin::Range { .. } => continue,
         }
         let divisor = condition.divisor.numerator();
         let factors = match divisor.factor_within(&Budget::default()) {

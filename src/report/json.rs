@@ -426,7 +426,8 @@ impl Writer<'_> {
                     must: match c.origin {
                         Origin::Divisor(_) | Origin::Determinant(_) => "not vanish",
                         Origin::Stability(_) => "be positive",
-                        Origin::Range(_) => "not be negative",
+                        Origin::Range { strict: true, .. } => "be positive",
+                        Origin::Range { strict: false, .. } => "not be negative",
                     },
                     because: c.because.as_ref().map(|b| match b {
                         Because::Positive => "positive".to_string(),

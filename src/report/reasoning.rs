@@ -362,16 +362,21 @@ pub fn conditions(formulas: &Formulas, conditions: &[NonVanishing]) -> Option<Pr
         })
     };
     let stable = |o: &Origin| matches!(o, Origin::Stability(_));
-    let ranged = |o: &Origin| matches!(o, Origin::Range(_));
+    let ranged = |o: &Origin| matches!(o, Origin::Range { .. });
     let stationary = positive("Stationary only where these are positive: ", stable);
+    let inside = positive(
+        "Within the ranges of the definitions, where these are positive: ",
+        |o| matches!(o, Origin::Range { strict: true, .. }),
+    );
     let within = positive(
         "Within the ranges of the definitions, where these are not negative: ",
-        ranged,
+        |o| matches!(o, Origin::Range { strict: false, .. }),
     );
-    let stationary = match (stationary, within) {
-        (Some(stationary), Some(within)) => Some(stationary.words(" ").then(within)),
+    let both = |first: Option<Prose>, second: Option<Prose>| match (first, second) {
+        (Some(first), Some(second)) => Some(first.words(" ").then(second)),
         (one, other) => one.or(other),
     };
+    let stationary = both(both(stationary, inside), within);
     let mut groups: Vec<(&Option<Because>, Vec<&NonVanishing>)> = Vec::new();
     let must_be_positive = |c: &&NonVanishing| stable(&c.origin) || ranged(&c.origin);
     for condition in conditions.iter().filter(|c| !must_be_positive(c)) {

@@ -346,7 +346,7 @@ impl Checker<'_> {
 /// Whether a condition asks for a sign, and for no value that is divided by.
 fn is_about_existence(origin: &Origin) -> bool {
     match origin {
-        Origin::Stability(_) | Origin::Range(_) => true,
+        Origin::Stability(_) | Origin::Range { .. } => true,
         Origin::Divisor(_) | Origin::Determinant(_) => false,
     }
 }
