@@ -247,7 +247,11 @@ impl<'m> Checker<'m> {
         let is_false = |outcome: &Outcome| match &outcome.verdict {
             Verdict::Misprint { correction, .. } => correction.definition.is_none(),
             Verdict::Refuted(refutation) => refutation.searched.is_some(),
-            _ => false,
+            Verdict::Holds { .. }
+            | Verdict::HoldsGiven(..)
+            | Verdict::Definition { .. }
+            | Verdict::Recalled { .. }
+            | Verdict::Undecided { .. } => false,
         };
         let mut resting: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (k, outcome) in outcomes.iter().enumerate().filter(|(_, o)| is_false(o)) {
@@ -311,7 +315,13 @@ impl<'m> Checker<'m> {
                 Verdict::Misprint { correction, .. } if correction.definition.is_some() => {
                     Some((**correction).clone())
                 }
-                _ => None,
+                Verdict::Misprint { .. }
+                | Verdict::Refuted(_)
+                | Verdict::Holds { .. }
+                | Verdict::HoldsGiven(..)
+                | Verdict::Definition { .. }
+                | Verdict::Recalled { .. }
+                | Verdict::Undecided { .. } => None,
             })
             .collect();
         for common in definitions {
@@ -392,7 +402,7 @@ impl<'m> Checker<'m> {
                 Node::Unknown { system, .. } => {
                     found.insert(model.systems[system].equation);
                 }
-                _ => {}
+                Node::Symbol(_) | Node::Matrix(_) | Node::Notation(_) => {}
             }
             open.extend(model.needs(node));
         }

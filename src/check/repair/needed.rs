@@ -43,7 +43,7 @@ impl Walk<'_, '_, '_> {
             &mut |_, _, address, needed| {
                 let scalars = needed.iter().filter_map(|v| match v {
                     Value::Scalar(s) => Some(*s),
-                    _ => None,
+                    Value::Matrix(_) | Value::Zero => None,
                 });
                 found.push((address.clone(), scalars.collect()));
             },
@@ -78,7 +78,7 @@ impl Walk<'_, '_, '_> {
         let id = self.trial.store.node(expr);
         match self.trial.store.value(id, self.trial.env) {
             Residue::Is(value) => Some(value),
-            _ => None,
+            Residue::Absent | Residue::Unknown => None,
         }
     }
 
@@ -265,7 +265,7 @@ impl Walk<'_, '_, '_> {
             }
             ExprKind::Transpose(_) => found.push(match whole {
                 Value::Matrix(m) => Value::Matrix(m.transpose()),
-                other => other.clone(),
+                Value::Scalar(_) | Value::Zero => whole.clone(),
             }),
             ExprKind::Matrix { rows, .. } => {
                 let (Some(Value::Matrix(printed)), Value::Matrix(whole)) =

@@ -22,7 +22,7 @@ impl Residue {
     pub fn value(&self) -> Option<&Value<u64>> {
         match self {
             Residue::Is(value) => Some(value),
-            _ => None,
+            Residue::Absent | Residue::Unknown => None,
         }
     }
 
@@ -102,19 +102,21 @@ pub(super) fn operation(
                 Residue::of(inverse.and_then(|i| value::multiply(&field, &i, &above, span).ok()))
             }
             (Residue::Unknown, _) | (_, Residue::Unknown) => Residue::Unknown,
-            _ => Residue::Absent,
+            // By a matrix nothing is divided, and not by zero.
+            (Residue::Absent, _)
+            | (_, Residue::Absent | Residue::Is(Value::Matrix(_) | Value::Zero)) => Residue::Absent,
         },
         Shape::Power(base, exponent) => power(value_of!(0, *base), *exponent),
         Shape::Transpose(inner) => Residue::Is(match value_of!(0, *inner) {
             Value::Matrix(m) => Value::Matrix(m.transpose()),
-            other => other,
+            value @ (Value::Scalar(_) | Value::Zero) => value,
         }),
         Shape::Matrix(columns, entries) => {
             let mut values = Vec::with_capacity(entries.len());
             for (k, entry) in entries.iter().enumerate() {
                 match value_of!(k, *entry) {
                     Value::Scalar(s) => values.push(s),
-                    _ => return None,
+                    Value::Matrix(_) | Value::Zero => return None,
                 }
             }
             let rows = values.len() / (*columns).max(1);

@@ -116,7 +116,9 @@ impl Trial<'_, '_> {
         let spot = *self.spot_at.get(address)?;
         match self.store.value(self.spots[spot].id, self.env) {
             Residue::Is(Value::Scalar(s)) => Some(s),
-            _ => None,
+            Residue::Is(Value::Matrix(_) | Value::Zero) | Residue::Absent | Residue::Unknown => {
+                None
+            }
         }
     }
 

@@ -395,7 +395,7 @@ impl<'m> Store<'m> {
             let inner = self.env(&inner);
             let term = match self.value(body, inner) {
                 Residue::Is(term) => term,
-                other => return other,
+                none @ (Residue::Absent | Residue::Unknown) => return none,
             };
             match value::add(&PrimeField, &sum, &term, Span::default()) {
                 Ok(next) => sum = next,
@@ -404,7 +404,7 @@ impl<'m> Store<'m> {
         }
         Residue::Is(match sum {
             Value::Zero if from > to => Value::Scalar(0),
-            sum => sum,
+            sum @ (Value::Zero | Value::Scalar(_) | Value::Matrix(_)) => sum,
         })
     }
 
