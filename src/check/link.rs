@@ -412,19 +412,10 @@ impl Checker<'_> {
             return Verdict::Refuted(refutation);
         }
         // Each correction keeps the display that it makes.
-        let own = self.model.equations[equation]
-            .links
-            .iter()
-            .position(|l| l == link);
+        let candidates = self.options.candidates;
         let clauses = self.exact.display(equation).clauses.len();
-        if own.unwrap_or(0).saturating_mul(clauses) > CORRECTED_CLAUSES {
-            refutation.searched = Some(Searched {
-                tried: 0,
-                of: 0,
-                budget: self.options.candidates,
-                ended: Some(Ended::Work),
-                empty: 0,
-            });
+        if (link.member - 1).saturating_mul(clauses) > CORRECTED_CLAUSES {
+            refutation.searched = Some(Searched::none_of(candidates, Ended::Work));
             return Verdict::Refuted(refutation);
         }
         if let Some(tell) = self.tell {
@@ -434,20 +425,13 @@ impl Checker<'_> {
                 refutation: &refutation,
             });
         }
-        let candidates = self.options.candidates;
         let found = self.bounded(|checker| checker.search(equation, link, candidates));
         let found = found.unwrap_or_else(|exhausted| {
             let ended = match exhausted {
                 Exhausted::Steps | Exhausted::Memory => Ended::Work,
                 Exhausted::Interrupted => Ended::Interrupted,
             };
-            Err(Searched {
-                tried: 0,
-                of: 0,
-                budget: candidates,
-                ended: Some(ended),
-                empty: 0,
-            })
+            Err(Searched::none_of(candidates, ended))
         });
         match found {
             Ok(correction) => {

@@ -7,11 +7,12 @@
 
 use super::{Checker, Verdict};
 use crate::domain::{Domain, Symbolic};
-use crate::evaluate::{self, Value};
+use crate::evaluate::{Evaluator, Value};
 use crate::expr::walk::visit;
 use crate::expr::{Expr, ExprKind, Relation};
 use crate::model::links::Link;
 use crate::model::names::Resolved;
+use crate::model::time::Clock;
 use crate::model::{DefinitionKind, Hypothesis, Letter};
 use crate::verdict::Positivity;
 use ratpoly::RationalFunction;
@@ -19,6 +20,17 @@ use std::collections::BTreeSet;
 
 /// A process or its derivative of an order.
 type Rate = (usize, u8);
+
+/// When hypotheses between constants and the time hold, as far as the print says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Timed {
+    /// There are none.
+    No,
+    /// At a moment: that \omega t = \pi/2 with \omega > 0 cannot be meant always.
+    AtAMoment,
+    /// At a moment, or always: x t = y t says t = 0 or x = y.
+    PerhapsAlways,
+}
 
 /// The most ways to choose what the hypotheses are solved for.
 const MOST_CHOICES: usize = 4_096;
@@ -32,9 +44,9 @@ impl Checker<'_> {
         positivity: &mut Option<Positivity>,
     ) -> Verdict {
         let repair = std::mem::replace(&mut self.options.repair, false);
-        let verdict = self.exactly(|checker| match link.relation {
-            Relation::Equal => checker.claim(equation, link),
-            _ => checker.inequality(equation, link, positivity),
+        let verdict = self.exactly(|checker| match link.relation == Relation::Equal {
+            true => checker.claim(equation, link),
+            false => checker.inequality(equation, link, positivity),
         });
         self.options.repair = repair;
         match verdict {
@@ -64,8 +76,11 @@ impl Checker<'_> {
         };
         self.has_moments(equation, link) && bounded()
             || self.ties_rates(equation, link)
-            || self.is_timed(equation, true)
-            || self.ties_processes(equation) && self.is_timed(equation, false)
+            || match self.timed(equation) {
+                Timed::PerhapsAlways => true,
+                Timed::AtAMoment => self.ties_processes(equation),
+                Timed::No => false,
+            }
             || self.starts_somewhere(equation, link)
     }
 
@@ -120,41 +135,76 @@ impl Checker<'_> {
         found
     }
 
-    /// Whether an equation among the hypotheses has a time behind it and no process; or only whether one may be meant
-    /// at all times as well as at a moment: x t = y t says x = y, or t = 0. That \omega t = \pi/2 with \omega > 0
-    /// can be meant at a moment only.
-    pub(super) fn is_timed(&self, equation: usize, perhaps_always: bool) -> bool {
-        let model = self.model;
-        let stated: Vec<&Hypothesis> = self.hypotheses_of(equation).collect();
-        let world = evaluate::symbolic(model).in_instance(self.instance);
-        let world = world.corrected_as(self.exact.world()).inserting();
-        let mut exact = world.evaluator(model.field());
-        let is_time = |letter: &usize| self.is_clock(*letter);
-        let is_rate = |letter: &usize| match model.letters[*letter] {
+    /// When the hypotheses with a time behind them and no process hold.
+    pub(super) fn timed(&self, equation: usize) -> Timed {
+        let equations = self.hypotheses_of(equation);
+        let equations: Vec<&Hypothesis> = equations
+            .filter(|h| h.relation == Relation::Equal)
+            .collect();
+        if equations.is_empty() {
+            return Timed::No;
+        }
+        let mut exact = self.unsupposed();
+        let mut timed = Timed::No;
+        for hypothesis in equations {
+            for entry in self.entries_of_a_moment(hypothesis, &mut exact) {
+                let only = match exact.differentiate(Value::Scalar(entry), 1, hypothesis.span) {
+                    Ok(Value::Scalar(rate)) => self.signs(rate.numerator()).excludes_zero(),
+                    Ok(Value::Matrix(_) | Value::Zero) | Err(_) => false,
+                };
+                if !only {
+                    return Timed::PerhapsAlways;
+                }
+                timed = Timed::AtAMoment;
+            }
+        }
+        timed
+    }
+
+    /// Whether one of these hypotheses is between constants and the time.
+    pub(super) fn hold_at_a_moment(&self, hypotheses: &[&Hypothesis]) -> bool {
+        let equations = hypotheses.iter().filter(|h| h.relation == Relation::Equal);
+        let equations: Vec<&&Hypothesis> = equations.collect();
+        if equations.is_empty() {
+            return false;
+        }
+        let mut exact = self.unsupposed();
+        equations
+            .into_iter()
+            .any(|h| !self.entries_of_a_moment(h, &mut exact).is_empty())
+    }
+
+    /// The entries of what a hypothesis says to vanish that have a time behind them and no process.
+    pub(super) fn entries_of_a_moment(
+        &self,
+        hypothesis: &Hypothesis,
+        exact: &mut Evaluator<'_, Symbolic>,
+    ) -> Vec<RationalFunction> {
+        let Ok(value) = exact.expression_without_cases(&hypothesis.difference()) else {
+            return Vec::new();
+        };
+        let is_rate = |letter: &usize| match self.model.letters[*letter] {
             Letter::Symbol { symbol, .. } => self.is_process(symbol),
             Letter::Abbreviation { .. } | Letter::Function { .. } => false,
         };
-        stated
-            .into_iter()
-            .filter(|h| h.relation == Relation::Equal)
-            .any(|h| {
-                let Ok(value) = exact.expression_without_cases(&h.difference()) else {
-                    return false;
-                };
-                value.entries().iter().any(|entry| {
-                    let behind = exact.field.letters_behind(entry);
-                    if !behind.iter().any(is_time) || behind.iter().any(is_rate) {
-                        return false;
-                    }
-                    if !perhaps_always {
-                        return true;
-                    }
-                    match exact.differentiate(Value::Scalar((*entry).clone()), 1, h.span) {
-                        Ok(Value::Scalar(rate)) => !self.signs(rate.numerator()).excludes_zero(),
-                        Ok(Value::Matrix(_) | Value::Zero) | Err(_) => true,
-                    }
-                })
-            })
+        let entries = value.entries().into_iter().filter(|entry| {
+            let behind = exact.field.letters_behind(entry);
+            behind.iter().any(|l| self.is_clock(*l)) && !behind.iter().any(is_rate)
+        });
+        entries.cloned().collect()
+    }
+
+    /// Whether a letter is a time: it goes on by itself.
+    pub(super) fn is_clock(&self, letter: usize) -> bool {
+        match self.model.letters[letter] {
+            Letter::Symbol { symbol, order: 0 } => {
+                let declared = &self.model.symbols[symbol];
+                declared.function_of.is_none()
+                    && (self.model.is_time(&declared.name)
+                        || matches!(self.model.clock(symbol), Clock::Runs(_)))
+            }
+            Letter::Symbol { .. } | Letter::Abbreviation { .. } | Letter::Function { .. } => false,
+        }
     }
 
     /// Whether a link has rates, and its hypotheses tie them in a way that values at a point do not
@@ -167,10 +217,7 @@ impl Checker<'_> {
         if tied.is_empty() || !self.has_rates(equation, link) {
             return false;
         }
-        let model = self.model;
-        let world = evaluate::symbolic(model).in_instance(self.instance);
-        let world = world.corrected_as(self.exact.world()).inserting();
-        let mut exact = world.evaluator(model.field());
+        let mut exact = self.unsupposed();
         let mut equations = Vec::new();
         for hypothesis in tied {
             match hypothesis.relation {

@@ -5,7 +5,7 @@
 //! on it.
 
 use super::Checker;
-use crate::evaluate::{self, Value};
+use super::rates::Timed;
 use crate::expr::walk::{children, mentions, visit};
 use crate::expr::{Expr, ExprKind, Function, Name, Relation};
 use crate::functions::{FunctionLetter, Sign};
@@ -73,7 +73,7 @@ impl Checker<'_> {
                 }
             });
         }
-        let timed = || self.ties_the_time(equation) || self.is_timed(equation, false);
+        let timed = || self.ties_the_time(equation) || self.timed(equation) != Timed::No;
         if self.has_rates(equation, link) && timed() {
             return Some(
                 "a hypothesis is about the time: whether it holds at a moment or always is not written",
@@ -122,28 +122,20 @@ impl Checker<'_> {
         if cases {
             return Some("what is defined by cases may be another constant in each of them");
         }
-        let world = evaluate::symbolic(model).in_instance(self.instance);
-        let world = world.corrected_as(self.exact.world()).inserting();
-        let mut exact = world.evaluator(model.field());
+        let mut exact = self.unsupposed();
         let value = exact.expression(side).ok()?;
-        let table = exact.field.table()?.clone();
-        let elements: Vec<RationalFunction> = match value {
-            Value::Scalar(value) => vec![value],
-            Value::Matrix(m) => m.iter().cloned().collect(),
-            Value::Zero => return None,
+        let table = exact.field.table()?;
+        let jumps = |letter: usize| {
+            let Some(FunctionLetter::Root(radicand)) = table.meaning(letter) else {
+                return false;
+            };
+            let radicand = RationalFunction::from(radicand);
+            let symbols = table.letters_behind(&radicand);
+            let open = symbols.into_iter().any(|l| table.meaning(l).is_none());
+            open && table.known_sign(&radicand) != Some(Sign::Positive)
         };
-        let jumps = |letter: usize| match table.meaning(letter) {
-            Some(FunctionLetter::Root(radicand)) => {
-                let radicand = RationalFunction::from(radicand);
-                let symbols = table.letters_behind(&radicand);
-                let open = symbols.into_iter().any(|l| table.meaning(l).is_none());
-                open && !table
-                    .known_sign(&radicand)
-                    .is_some_and(|s| s == Sign::Positive)
-            }
-            _ => false,
-        };
-        let mut behind = elements.iter().flat_map(|f| table.letters_behind(f));
+        let elements = value.entries().into_iter();
+        let mut behind = elements.flat_map(|f| table.letters_behind(f));
         behind
             .any(jumps)
             .then_some("a root may be another constant on each side of where it vanishes")

@@ -8,7 +8,7 @@
 use super::hypotheses::Supposed;
 use super::{Checker, Options, bounded};
 use crate::domain::{Domain, Symbolic};
-use crate::evaluate::{Evaluator, Failure, FailureKind, Value};
+use crate::evaluate::{self, Evaluator, Failure, FailureKind, Value};
 use crate::expr::Display;
 use crate::model::{Letter, Node, Role};
 use crate::verdict::certificate::Print;
@@ -122,6 +122,13 @@ impl<'m> Checker<'m> {
             other.insert_abbreviations();
         }
         other
+    }
+
+    /// An evaluator in this world with nothing supposed and all definitions inserted.
+    pub(super) fn unsupposed(&self) -> Evaluator<'m, Symbolic> {
+        let world = evaluate::symbolic(self.model).in_instance(self.instance);
+        let world = world.corrected_as(self.exact.world()).inserting();
+        world.evaluator(self.model.field())
     }
 
     /// Goes on in the world of another checker.

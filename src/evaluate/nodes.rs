@@ -233,14 +233,8 @@ impl<D: Domain> Evaluator<'_, D> {
                 if let Some(value) = self.own_value_here(*d, span)? {
                     return Ok(value);
                 }
-                let expr = definition
-                    .place
-                    .find(self.display(definition.equation))
-                    .cloned();
-                match expr {
-                    Some(expr) => self.expression(&expr),
-                    None => Err(Failure::unsupported("a definition without a value", span)),
-                }
+                let expr = self.printed(*d, span)?;
+                self.expression(&expr)
             }
             Node::Unknown { system, position } => {
                 let values = self.solve(*system, span)?;

@@ -7,6 +7,7 @@
 
 use super::{Evaluator, Failure, FailureKind, Value, value};
 use crate::domain::Domain;
+use crate::expr::Expr;
 use crate::functions::Sign;
 use crate::model::names::Resolved;
 use crate::model::{DefinitionKind, Node};
@@ -139,15 +140,19 @@ impl<D: Domain> Evaluator<'_, D> {
 
     /// The value of what is printed as a definition's.
     fn printed_value(&mut self, definition: usize, span: Span) -> Result<Value<D::Element>> {
-        let printed = &self.model.definitions[definition];
-        let expr = printed.place.find(self.display(printed.equation)).cloned();
-        let expr =
-            expr.ok_or_else(|| Failure::unsupported("a definition without a value", span))?;
+        let expr = self.printed(definition, span)?;
         let at = self.frame.at.take();
         let bound = std::mem::take(&mut self.frame.bound);
         let value = self.expression(&expr);
         self.frame.bound = bound;
         self.frame.at = at;
         value
+    }
+
+    /// What is printed as a definition's value.
+    pub(super) fn printed(&self, definition: usize, span: Span) -> Result<Expr> {
+        let printed = &self.model.definitions[definition];
+        let expr = printed.place.find(self.display(printed.equation)).cloned();
+        expr.ok_or_else(|| Failure::unsupported("a definition without a value", span))
     }
 }

@@ -48,16 +48,18 @@ macro_rules! direct_subexpressions {
     };
 }
 
-/// The names that a node itself carries, apart from those in its subexpressions, borrowed as it is.
+/// The name that a node itself carries, apart from those in its subexpressions, borrowed as it is, and whether it is that
+/// of a letter that varies under the node.
 macro_rules! own_names {
     ($expr:expr, $as_option:ident $(, $mutable:tt)?) => {
         match &$($mutable)? $expr.kind {
             ExprKind::Name(name)
             | ExprKind::Apply { function: name, .. }
-            | ExprKind::Named { name, .. }
-            | ExprKind::BigSum { index: name, .. }
-            | ExprKind::Integral { variable: name, .. } => Some(name),
-            ExprKind::Derivative { variable, .. } => variable.$as_option(),
+            | ExprKind::Named { name, .. } => Some((name, false)),
+            ExprKind::BigSum { index: name, .. } | ExprKind::Integral { variable: name, .. } => {
+                Some((name, true))
+            }
+            ExprKind::Derivative { variable, .. } => variable.$as_option().map(|name| (name, true)),
             ExprKind::Number(_)
             | ExprKind::Call { .. }
             | ExprKind::Sum(_)
@@ -79,12 +81,17 @@ macro_rules! own_names {
 
 /// The name that a node itself carries: what it is, applies, sums, integrates or differentiates by.
 pub fn own_name(expr: &Expr) -> Option<&Name> {
-    own_names!(expr, as_ref)
+    own_names!(expr, as_ref).map(|(name, _)| name)
 }
 
 /// The same name, to be changed.
 pub fn own_name_mut(expr: &mut Expr) -> Option<&mut Name> {
-    own_names!(expr, as_mut, mut)
+    own_names!(expr, as_mut, mut).map(|(name, _)| name)
+}
+
+/// The letter that varies under a node: what it sums over, integrates or differentiates by.
+pub fn varied_name(expr: &Expr) -> Option<&Name> {
+    own_names!(expr, as_ref).and_then(|(name, varied)| varied.then_some(name))
 }
 
 /// The direct subexpressions, in reading order.

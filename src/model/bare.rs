@@ -7,7 +7,7 @@
 use super::names::Resolved;
 use super::{Model, Node};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::expr::walk::children;
+use crate::expr::walk::{children, varied_name};
 use crate::expr::{Expr, ExprKind, Name};
 use crate::latex;
 use std::collections::BTreeSet;
@@ -21,40 +21,15 @@ impl Model {
         varying: &mut Vec<Name>,
         report: &mut Vec<Diagnostic>,
     ) {
-        let variable = match &expr.kind {
-            ExprKind::Integral { variable, .. }
-            | ExprKind::Derivative {
-                variable: Some(variable),
-                ..
-            } => Some(variable),
-            // An index that names no letter only counts.
-            ExprKind::BigSum { index, .. } => {
-                matches!(self.resolve(index, &|_| false), Ok(Resolved::Letter { .. }))
-                    .then_some(index)
-            }
-            ExprKind::Name(name) => {
-                self.bare_function(name, expr, varying, report);
-                None
-            }
-            ExprKind::Number(_)
-            | ExprKind::Apply { .. }
-            | ExprKind::Group { .. }
-            | ExprKind::Underbrace { .. }
-            | ExprKind::Sum(_)
-            | ExprKind::Product(_)
-            | ExprKind::Quotient { .. }
-            | ExprKind::Power { .. }
-            | ExprKind::Transpose(_)
-            | ExprKind::Matrix { .. }
-            | ExprKind::Call { .. }
-            | ExprKind::Derivative { variable: None, .. }
-            | ExprKind::Named { .. }
-            | ExprKind::Tuple(_)
-            | ExprKind::Expectation(_)
-            | ExprKind::Cases(_)
-            | ExprKind::Infinity
-            | ExprKind::Constant => None,
+        if let Some(name) = expr.as_name() {
+            self.bare_function(name, expr, varying, report);
+        }
+        // An index that names no letter only counts.
+        let counts = |name: &Name| {
+            matches!(expr.kind, ExprKind::BigSum { .. })
+                && !matches!(self.resolve(name, &|_| false), Ok(Resolved::Letter { .. }))
         };
+        let variable = varied_name(expr).filter(|name| !counts(name));
         let before = varying.len();
         varying.extend(variable.cloned());
         for child in children(expr) {

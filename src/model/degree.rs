@@ -219,11 +219,7 @@ impl<'a> Degrees<'a, '_> {
         if degree == 0 {
             return Ok(0);
         }
-        let mut inner = argument;
-        while let ExprKind::Group { inner: within, .. } = &inner.kind {
-            inner = within;
-        }
-        let ExprKind::Matrix { rows, .. } = &inner.kind else {
+        let ExprKind::Matrix { rows, .. } = &argument.without_brackets().kind else {
             return Err(NoDegree::NoPolynomial);
         };
         if !rows.iter().flatten().all(|entry| self.is_number(entry)) {

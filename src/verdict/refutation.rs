@@ -178,6 +178,19 @@ pub struct Searched {
     pub empty: usize,
 }
 
+impl Searched {
+    /// A search of so many candidates that ended before the first was tried.
+    pub fn none_of(budget: usize, ended: Ended) -> Self {
+        Searched {
+            tried: 0,
+            of: 0,
+            budget,
+            ended: Some(ended),
+            empty: 0,
+        }
+    }
+}
+
 /// What ends a search before all candidates are tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {

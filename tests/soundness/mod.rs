@@ -7,7 +7,7 @@ mod judge;
 mod library;
 mod polynomial;
 mod program;
-mod random;
+pub mod random;
 mod run;
 mod templates;
 mod term;

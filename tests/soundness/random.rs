@@ -16,6 +16,11 @@ impl Random {
         source
     }
 
+    /// A source that begins with this state.
+    pub fn seeded(state: u64) -> Self {
+        Random(state)
+    }
+
     /// The next 64 bits.
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -6,6 +6,7 @@
 //! definition said again in other letters; no function's name stands where a number does.
 
 use crate::common::audit;
+use crate::generated::random::Random;
 use num_traits::ToPrimitive;
 use rederive::audit::Audit;
 use rederive::check::Options;
@@ -17,28 +18,6 @@ use rederive::model::Model;
 use rederive::model::links::Link;
 use rederive::verdict::Verdict;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn from(&mut self, low: i64, high: i64) -> i64 {
-        let width = u64::try_from(high - low + 1).expect("a range");
-        low + i64::try_from(self.next() % width).expect("small")
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
 
 type Point = BTreeMap<String, f64>;
 
@@ -422,7 +401,7 @@ fn points(model: &Model, random: &mut Random) -> Vec<Point> {
         for symbol in &model.symbols {
             let name = latex::canonical(&symbol.name);
             let value = match name.as_str() {
-                "n" | "m" => random.from(-5, 5) as f64,
+                "n" | "m" => random.between(-5, 5) as f64,
                 "a" | "b" | "c" => 0.3 + 2.0 * random.unit(),
                 _ => 3.0 * random.unit() - 1.5,
             };
@@ -475,7 +454,7 @@ fn judged(audit: &Audit, random: &mut Random) -> (usize, usize, Vec<String>) {
 }
 
 fn family(seed: u64, candidates: usize, make: impl Fn(&mut Random, &mut Claims)) -> [usize; 3] {
-    let mut random = Random(seed);
+    let mut random = Random::seeded(seed);
     let mut claims = Claims::new();
     make(&mut random, &mut claims);
     let audit = claims.audit(candidates);
@@ -495,8 +474,8 @@ fn definitions_are_not_said_again() {
         // Only once: a slip in the definition would explain several.
         claims.add("v = x", &[]);
         for _ in 0..9 {
-            let p = random.from(2, 9);
-            let q = p + random.from(1, 5);
+            let p = random.between(2, 9);
+            let q = p + random.between(1, 5);
             claims.add(&format!("x = {p}"), &[]);
             claims.add(&format!("x^{p} = x"), &[]);
             claims.add(&format!("w^{p} = w"), &[]);
@@ -521,8 +500,8 @@ fn definitions_are_not_said_again() {
 fn names_of_functions_are_no_numbers() {
     let [all, decided, _] = family(5, 700, |random, claims| {
         for _ in 0..7 {
-            let p = random.from(2, 6);
-            let q = random.from(3, 8);
+            let p = random.between(2, 6);
+            let q = random.between(3, 8);
             claims.add("h(x^2) = h(x)", &[]);
             claims.add(&format!("h({p}x) = {p}h(x)"), &[]);
             claims.add(&format!("h(x) + {p} = h(x + y)"), &[]);
@@ -545,8 +524,8 @@ fn names_of_functions_are_no_numbers() {
 fn corrections_with_functions_edit_no_more_than_they_must() {
     let [all, decided, mended] = family(7, 600, |random, claims| {
         for _ in 0..4 {
-            let odd = 2 * random.from(0, 3) + 1;
-            let p = random.from(2, 6);
+            let odd = 2 * random.between(0, 3) + 1;
+            let p = random.between(2, 6);
             let n = match odd {
                 1 => String::new(),
                 n => n.to_string(),
@@ -597,11 +576,11 @@ fn words(claims: &[String]) -> Vec<VerdictWord> {
 /// What a claim is found to be does not depend on how many functions stand before it.
 #[test]
 fn verdicts_do_not_depend_on_what_stands_before() {
-    let mut random = Random(9);
+    let mut random = Random::seeded(9);
     let mut claims = Vec::new();
     for _ in 0..4 {
-        let p = random.from(2, 9);
-        let q = random.from(2, 9);
+        let p = random.between(2, 9);
+        let q = random.between(2, 9);
         claims.push(format!(
             r"\cos(x + {p}y) = \cos x\cos({p}y) - \sin x\sin({p}y)"
         ));

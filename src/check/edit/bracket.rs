@@ -1,7 +1,7 @@
 //! Brackets that end too early or too late, a term or factor on the wrong side of a bracket, a bar,
 //! a slash or a root.
 
-use super::build::{factors, group, inside, product, quotient, sum, terms, times};
+use super::build::{factors, group, product, quotient, sum, terms, times};
 use super::{Change, Replacement, Scene};
 use crate::expr::{Expr, ExprKind, Sign};
 use crate::span::Span;
@@ -137,7 +137,7 @@ fn opened(term: &Expr) -> Vec<(Terms, u32)> {
                 style,
             } => {
                 for (place, part) in [(0, numerator), (1, denominator)] {
-                    let held = terms(inside(part));
+                    let held = terms(part.without_brackets());
                     for cut in 1..held.len() {
                         let kept = sum(held[..cut].to_vec(), span);
                         let (above, below) = match place {
@@ -163,7 +163,7 @@ fn opened(term: &Expr) -> Vec<(Terms, u32)> {
                 }
             }
             ExprKind::Call { function, argument } => {
-                let held = terms(inside(argument));
+                let held = terms(argument.without_brackets());
                 for cut in 1..held.len() {
                     let kind = ExprKind::Call {
                         function: *function,
@@ -188,7 +188,7 @@ fn swallowed(term: &Expr, neighbours: &[(Sign, Expr)]) -> Forms {
         return Vec::new();
     };
     let with = |expr: &Expr| {
-        let mut held = terms(inside(expr));
+        let mut held = terms(expr.without_brackets());
         held.extend(neighbours.to_vec());
         sum(held, span)
     };
@@ -235,7 +235,7 @@ fn swallowed_before(term: &Expr, neighbours: &[(Sign, Expr)], sign: Sign) -> For
     let with = |expr: &Expr| {
         let mut held = neighbours.to_vec();
         held[0].0 = Sign::Plus;
-        let mut inner = terms(inside(expr));
+        let mut inner = terms(expr.without_brackets());
         inner[0].0 = times(inner[0].0, sign);
         held.extend(inner);
         sum(held, span)
@@ -287,7 +287,7 @@ fn of_product(items: &[Expr], span: Span) -> Forms {
                 }
                 ExprKind::Call { function, argument } if item != *other => {
                     let mut inner = vec![item.clone()];
-                    inner.extend(factors(inside(argument)));
+                    inner.extend(factors(argument.without_brackets()));
                     let kind = ExprKind::Call {
                         function: *function,
                         argument: Box::new(product(inner, span)),
@@ -351,7 +351,7 @@ fn of_quotient(expr: &Expr) -> Forms {
     }
     // \sqrt{a/b} for \sqrt{a}/b and for a/\sqrt{b}.
     for (above, below, part) in [(true, false, numerator), (false, true, denominator)] {
-        if let ExprKind::Call { function, argument } = &inside(part).kind {
+        if let ExprKind::Call { function, argument } = &part.without_brackets().kind {
             let top = if above { argument } else { numerator };
             let bottom = if below { argument } else { denominator };
             let bar = quotient((**top).clone(), (**bottom).clone(), *style, span);
@@ -383,7 +383,7 @@ fn of_call(expr: &Expr) -> Forms {
         .into_iter()
         .map(|(terms, rare)| (group(sum(terms, span)), rare))
         .collect();
-    match &inside(argument).kind {
+    match &argument.without_brackets().kind {
         ExprKind::Product(items) => {
             for k in 0..items.len() {
                 let mut rest = items.clone();

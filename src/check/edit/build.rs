@@ -160,11 +160,3 @@ pub fn raised(base: Expr, exponent: Expr) -> Expr {
         span,
     )
 }
-
-/// What a bracket holds; anything else is itself.
-pub fn inside(expr: &Expr) -> &Expr {
-    match &expr.kind {
-        ExprKind::Group { inner, .. } => inside(inner),
-        _ => expr,
-    }
-}

@@ -1,7 +1,7 @@
 //! Exponents one or two off, lost, restored, negated, or moved: to a neighbour, into a bracket or
 //! out of it, above the bar or below it. A square lost and a root are among them.
 
-use super::build::{factors, group, inside, number, power, product, quotient, raised, sum};
+use super::build::{factors, group, number, power, product, quotient, raised, sum};
 use super::{Kind, Replacement, Scene, Site, name_of};
 use crate::expr::{Expr, ExprKind, Function};
 use crate::model::names::literal_integer;
@@ -149,7 +149,7 @@ fn moved(site: &Site<'_>, found: &mut Vec<Replacement>) {
                 }
             }
         }
-        ExprKind::Power { base, exponent } => match &inside(base).kind {
+        ExprKind::Power { base, exponent } => match &base.without_brackets().kind {
             // (ab)^2 for ab^2, (a + b)^2 for a + b^2, (a/b)^2 for a^2/b and a/b^2.
             ExprKind::Product(items) => {
                 for k in 0..items.len() {
@@ -264,7 +264,7 @@ fn roots(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
         ExprKind::Power { base, exponent }
             if scene.context.functions && literal_integer(exponent) == Some(2) =>
         {
-            let inner = inside(base).clone();
+            let inner = base.without_brackets().clone();
             found.push(edit(site, root(inner)).rarer(4));
         }
         _ if scene.context.functions && (is_bare(site) || site.is_monomial()) => {
@@ -279,7 +279,7 @@ fn roots(scene: &Scene<'_>, site: &Site<'_>, found: &mut Vec<Replacement>) {
                     | ExprKind::Call { .. }
             );
             if scalar && plain {
-                found.push(edit(site, root(inside(site.expr).clone())).rarer(4));
+                found.push(edit(site, root(site.expr.without_brackets().clone())).rarer(4));
             }
         }
         _ => {}

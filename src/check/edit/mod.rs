@@ -117,7 +117,7 @@ pub fn singles(display: &Display, places: &[Place], context: &Context) -> Vec<Re
     }
     // What is named alone on the left is computed on the right, where slips are likelier.
     for edit in &mut found {
-        let side = edit.address.place.find(display).map(build::inside);
+        let side = edit.address.place.find(display).map(Expr::without_brackets);
         let named = side.is_some_and(|e| match &e.kind {
             ExprKind::Power { base, .. } => matches!(base.kind, ExprKind::Name(_)),
             kind => matches!(kind, ExprKind::Name(_) | ExprKind::Apply { .. }),

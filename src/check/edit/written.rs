@@ -137,7 +137,7 @@ fn odd(expr: &Expr) -> usize {
             function: Function::SquareRoot,
             argument,
         } => {
-            let square = match &super::build::inside(argument).kind {
+            let square = match &argument.without_brackets().kind {
                 ExprKind::Power { exponent, .. } => {
                     literal_integer(exponent).is_some_and(|n| n % 2 == 0)
                 }
@@ -155,7 +155,7 @@ fn integer(n: i64) -> BigRational {
 
 /// The number that is printed here, in brackets or not.
 fn number(expr: &Expr) -> Option<&BigRational> {
-    match &super::build::inside(expr).kind {
+    match &expr.without_brackets().kind {
         ExprKind::Number(n) => Some(n),
         _ => None,
     }
@@ -163,7 +163,7 @@ fn number(expr: &Expr) -> Option<&BigRational> {
 
 /// A factor without its exponent.
 fn base(factor: &Expr) -> String {
-    match &super::build::inside(factor).kind {
+    match &factor.without_brackets().kind {
         ExprKind::Power { base, .. } => arranged(base),
         _ => arranged(factor),
     }
@@ -217,7 +217,7 @@ fn cancelling(expr: &Expr) -> usize {
 
 fn factors<'e>(expr: &'e Expr, up: bool, above: &mut Vec<&'e Expr>, below: &mut Vec<&'e Expr>) {
     // Brackets around a monomial hide nothing.
-    let inner = super::build::inside(expr);
+    let inner = expr.without_brackets();
     match &inner.kind {
         ExprKind::Product(items) => {
             for item in items {

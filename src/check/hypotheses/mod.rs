@@ -141,9 +141,14 @@ impl<'m> Checker<'m> {
     ) -> Result<Checker<'m>, Unusable> {
         let mut supposed = Supposed::clone(&self.supposed);
         supposed.in_force = true;
+        // What is put in at a moment is no value at other times: then nothing is said of rates.
+        let valid = match self.hold_at_a_moment(hypotheses) {
+            true => [Valid::AtAMoment; 2],
+            false => [Valid::Always, Valid::AsARate],
+        };
         let mut stable = false;
         for _ in 0..PASSES {
-            let next = self.pass(hypotheses, &supposed)?;
+            let next = self.pass(hypotheses, &supposed, valid)?;
             stable = next == supposed;
             supposed = next;
             if stable {
@@ -236,6 +241,7 @@ impl<'m> Checker<'m> {
         &mut self,
         hypotheses: &[&'m Hypothesis],
         before: &Supposed,
+        [as_stated, as_a_rate]: [Valid; 2],
     ) -> Result<Supposed, Unusable> {
         let mut exact = self.evaluator_under(before)?;
         let mut next = Supposed {
@@ -247,10 +253,6 @@ impl<'m> Checker<'m> {
         for (letter, value) in &before.replaced {
             self.transfer(*letter, value, &mut next)?;
         }
-        // What is put in at a moment is no value at other times: then nothing is said of rates.
-        let moment = hypotheses
-            .iter()
-            .any(|h| h.relation == Relation::Equal && self.is_of_a_moment(h));
         // Signs first: they tell which slopes do not vanish.
         let equations = |h: &&&Hypothesis| h.relation == Relation::Equal;
         let orders = hypotheses.iter().filter(|h| !equations(h));
@@ -270,13 +272,9 @@ impl<'m> Checker<'m> {
             }
             let signs = match hypothesis.relation {
                 Relation::Equal => {
-                    let valid = match moment {
-                        true => Valid::AtAMoment,
-                        false => self.valid(&difference),
-                    };
                     for entry in value.entries() {
                         let entry = image(exact.field.table(), entry, &next.replaced)?;
-                        self.solve(&entry, &mut exact, &mut next, (valid, hypothesis.span))?;
+                        self.solve(&entry, &mut exact, &mut next, (as_stated, hypothesis.span))?;
                     }
                     continue;
                 }
@@ -321,11 +319,7 @@ impl<'m> Checker<'m> {
         for consequence in next.consequences.clone() {
             let span = hypotheses.first().map_or_else(Default::default, |h| h.span);
             let value = image(exact.field.table(), &consequence, &next.replaced)?;
-            let valid = match moment {
-                true => Valid::AtAMoment,
-                false => Valid::AsARate,
-            };
-            self.solve(&value, &mut exact, &mut next, (valid, span))?;
+            self.solve(&value, &mut exact, &mut next, (as_a_rate, span))?;
         }
         Ok(next)
     }

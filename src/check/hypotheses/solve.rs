@@ -3,9 +3,9 @@
 use super::{Supposed, Unusable, image};
 use crate::check::Checker;
 use crate::check::hypotheses::possible::Signs;
-use crate::domain::{Domain, Symbolic};
+use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, Value};
-use crate::expr::{Expr, Relation};
+use crate::expr::Relation;
 use crate::model::range::{Numbers, Range};
 use crate::model::time::Clock;
 use crate::model::{Hypothesis, Letter};
@@ -169,65 +169,6 @@ impl<'m> Checker<'m> {
             }
         }
         best.map(|(_, candidate)| candidate)
-    }
-
-    /// When a hypothesis holds: one of processes always, one of constants and the time perhaps at a moment.
-    pub(super) fn valid(&mut self, difference: &Expr) -> Valid {
-        let conditions = std::mem::take(&mut self.exact.conditions);
-        let value = self.exact.expression_without_cases(difference);
-        self.exact.conditions = conditions;
-        let moves = |e: &RationalFunction| {
-            let spelt_out = self.spelt_out(e);
-            spelt_out.is_none_or(|e| self.has_processes(&e))
-        };
-        match value {
-            Ok(value) if !value.entries().iter().any(|e| moves(e)) => Valid::AtAMoment,
-            Ok(_) | Err(_) => Valid::Always,
-        }
-    }
-
-    /// Whether an equation among hypotheses, or an entry of it, is between constants and the time.
-    pub(super) fn is_of_a_moment(&mut self, hypothesis: &Hypothesis) -> bool {
-        let conditions = std::mem::take(&mut self.exact.conditions);
-        let value = self
-            .exact
-            .expression_without_cases(&hypothesis.difference());
-        self.exact.conditions = conditions;
-        value.is_ok_and(|value| {
-            value.entries().iter().any(|entry| {
-                let Some(entry) = self.spelt_out(entry) else {
-                    return false;
-                };
-                let mut behind = self.exact.field.letters_behind(&entry).into_iter();
-                behind.any(|l| self.is_clock(l)) && !self.has_processes(&entry)
-            })
-        })
-    }
-
-    /// Whether a letter is a time: it goes on by itself.
-    pub(in crate::check) fn is_clock(&self, letter: usize) -> bool {
-        match self.model.letters[letter] {
-            Letter::Symbol { symbol, order: 0 } => {
-                let declared = &self.model.symbols[symbol];
-                declared.function_of.is_none()
-                    && (self.model.is_time(&declared.name)
-                        || matches!(self.model.clock(symbol), Clock::Runs(_)))
-            }
-            Letter::Symbol { .. } | Letter::Abbreviation { .. } | Letter::Function { .. } => false,
-        }
-    }
-
-    /// Whether a process or a rate stands behind an element.
-    fn has_processes(&self, element: &RationalFunction) -> bool {
-        let behind = self.exact.field.letters_behind(element);
-        behind
-            .into_iter()
-            .any(|letter| match self.model.letters[letter] {
-                Letter::Symbol { symbol, .. } => self.model.symbols[symbol].function_of.is_some(),
-                // What a definition stands for may move.
-                Letter::Abbreviation { .. } => true,
-                Letter::Function { .. } => false,
-            })
     }
 
     /// Whether a letter stands in the argument of a function among these letters.

@@ -5,6 +5,7 @@
 //! sides follows from the definitions alone, whatever the letters are called. And where the print is about
 //! letters, an equation between constants is about nothing any more.
 
+use crate::check::edit::build::group;
 use crate::check::edit::{form, written};
 use crate::expr::walk::{children, children_mut, visit};
 use crate::expr::{Expr, ExprKind, Name};
@@ -121,22 +122,12 @@ fn defined_as(model: &Model, expr: &Expr) -> Option<Expr> {
     for (parameter, argument) in definition.arguments.iter().zip(arguments) {
         replace(&mut value, parameter, argument);
     }
-    let span = expr.span;
-    let inner = Box::new(value);
-    Some(Expr::new(group_of(inner), span))
-}
-
-/// Brackets, which count as nothing where forms are compared.
-fn group_of(inner: Box<Expr>) -> ExprKind {
-    ExprKind::Group {
-        bracket: crate::expr::Bracket::Round,
-        inner,
-    }
+    Some(group(value))
 }
 
 fn replace(expr: &mut Expr, parameter: &Name, argument: &Expr) {
     if matches!(&expr.kind, ExprKind::Name(name) if name == parameter) {
-        *expr = Expr::new(group_of(Box::new(argument.clone())), expr.span);
+        *expr = group(argument.clone());
         return;
     }
     for part in children_mut(expr) {

@@ -99,7 +99,8 @@ pub(super) fn emptied(
     // u^T v = v^T u: each side was multiplied by the other.
     let multiplied = |k: usize| {
         let (own, other) = (written::names(before[k]), written::names(before[1 - k]));
-        let kept = own.keys().all(|name| mentions_named(after[k], name));
+        let now = written::names(after[k]);
+        let kept = own.keys().all(|name| now.contains_key(name));
         kept && gained[k]
             .iter()
             .any(|name| other.contains_key(name) && !own.contains_key(name))
@@ -174,10 +175,6 @@ fn renames(candidate: &Candidate, several: bool) -> bool {
 
 fn sides<'d>(display: &'d Display, link: &Link) -> Option<[&'d Expr; 2]> {
     Some([link.left.find(display)?, link.right.find(display)?])
-}
-
-fn mentions_named(expr: &Expr, name: &str) -> bool {
-    written::names(expr).contains_key(name)
 }
 
 /// The names that a side has more often than before.

@@ -263,11 +263,7 @@ pub(in crate::latex) fn is_mark(base: &Expr, exponent: &Expr) -> bool {
     else {
         return false;
     };
-    let mut bare = base;
-    while let ExprKind::Group { inner, .. } = &bare.kind {
-        bare = inner;
-    }
-    let raises = match &bare.kind {
+    let raises = match &base.without_brackets().kind {
         ExprKind::Number(_) => true,
         ExprKind::Name(name) => name.letter.base == "e",
         _ => false,

@@ -111,30 +111,17 @@ impl Parser<'_> {
 /// behind it may still belong to the argument.
 pub(in crate::latex) fn ends_in_bare_letters(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Call { function, argument } => match function {
-            Function::SquareRoot
-            | Function::Absolute
-            | Function::Determinant
-            | Function::Trace
-            | Function::RealPart
-            | Function::ImaginaryPart => false,
-            Function::Exponential
-            | Function::Cosine
-            | Function::Sine
-            | Function::Tangent
-            | Function::Cotangent
-            | Function::HyperbolicCosine
-            | Function::HyperbolicSine
-            | Function::HyperbolicTangent
-            | Function::Logarithm => matches!(
-                argument.kind,
-                ExprKind::Name(_)
-                    | ExprKind::Number(_)
-                    | ExprKind::Product(_)
-                    | ExprKind::Power { .. }
-                    | ExprKind::Apply { .. }
-            ),
-        },
+        ExprKind::Call { function, argument } => {
+            function.is_elementary()
+                && matches!(
+                    argument.kind,
+                    ExprKind::Name(_)
+                        | ExprKind::Number(_)
+                        | ExprKind::Product(_)
+                        | ExprKind::Power { .. }
+                        | ExprKind::Apply { .. }
+                )
+        }
         ExprKind::Power { base, .. } => ends_in_bare_letters(base),
         _ => false,
     }
@@ -150,7 +137,7 @@ fn bracketed_divisor(numerator: &[Expr], divisor: &[Expr], above: Span, below: S
     Expr::new(kind, above.to(below))
 }
 
-fn bracketed(inner: Expr) -> Expr {
+pub(super) fn bracketed(inner: Expr) -> Expr {
     let span = inner.span;
     let kind = ExprKind::Group {
         bracket: Bracket::Round,

@@ -5,8 +5,9 @@
 //! product, of the square of a column, and of bold letters whose shapes are not printed, both readings are
 //! given back. Elsewhere dots and crosses are those of an ordinary product.
 
+use super::slash::bracketed;
 use super::{Parse, Parser, product};
-use crate::expr::{Accent, Bracket, Expr, ExprKind, Font, Name};
+use crate::expr::{Accent, Expr, ExprKind, Font, Name};
 use crate::latex::signature::Shape;
 use crate::span::Span;
 
@@ -79,14 +80,14 @@ impl Parser<'_> {
             column.kind,
             ExprKind::Name(_) | ExprKind::Apply { .. } | ExprKind::Group { .. }
         ) {
-            column = grouped(column);
+            column = bracketed(column);
         }
         let row = Expr::new(ExprKind::Transpose(Box::new(column)), start);
         let mut factors = vec![row];
         factors.extend(right);
         let scalar = product(factors, span);
         self.note_reading(&scalar);
-        Ok(vec![grouped(scalar)])
+        Ok(vec![bracketed(scalar)])
     }
 
     /// Whether a base is a column, whose powers are none of a matrix.
@@ -167,13 +168,4 @@ impl Parser<'_> {
             None => Kind::Number,
         }
     }
-}
-
-fn grouped(inner: Expr) -> Expr {
-    let span = inner.span;
-    let kind = ExprKind::Group {
-        bracket: Bracket::Round,
-        inner: Box::new(inner),
-    };
-    Expr::new(kind, span)
 }
