@@ -13,7 +13,7 @@ use crate::expr::{Display, ExprKind, Relation};
 use crate::model::links::Link;
 use crate::model::{Hypothesis, Letter};
 use crate::real::{Complex, Real};
-use crate::verdict::{Contradiction, PointValue, Refutation, Verdict, Witness};
+use crate::verdict::{Contradiction, Part, PointValue, Refutation, Verdict, Witness};
 use num_traits::Zero;
 
 /// Binary digits with which the exact engine's own points are looked at.
@@ -189,9 +189,11 @@ impl<'m> Checker<'m> {
                 found.searched = refutation.searched;
                 found.residual = refutation.residual;
                 found.part = refutation.part;
-                return Ok(found);
+                return Ok(self.without_idle_part(equation, link, found));
             }
-            There::Apart(_) | There::Unknown => return Ok(refutation),
+            There::Apart(_) | There::Unknown => {
+                return Ok(self.without_idle_part(equation, link, refutation));
+            }
             There::Together | There::NoValue => {}
         }
         match self.violated(equation, link) {
@@ -201,6 +203,30 @@ impl<'m> Checker<'m> {
             }
             None => Err("no admissible point was found at which it is violated".into()),
         }
+    }
+
+    /// Where an inequality is said to be true its sides have values: a function may be defined on a range only.
+    fn without_idle_part(
+        &self,
+        equation: usize,
+        link: &Link,
+        mut refutation: Refutation,
+    ) -> Refutation {
+        if let (Some(Part::Around(around)), Some(witness)) =
+            (&refutation.part, refutation.witness())
+        {
+            let point = around
+                .iter()
+                .map(|(l, v)| (*l, PointValue::Exact(v.clone())));
+            let there = Witness {
+                point: point.collect(),
+                ..witness.clone()
+            };
+            if self.has_no_value_at(equation, link, &there) {
+                refutation.part = None;
+            }
+        }
+        refutation
     }
 
     /// A point at which a link that could not be decided is violated.

@@ -126,10 +126,12 @@ impl Checker<'_> {
                     .unwrap_or(Verdict::Refuted(refutation)),
                 verdict => verdict,
             });
-            self.second_opinion(equation, link, verdict)
+            let verdict = self.second_opinion(equation, link, verdict);
+            self.where_quantities_are_free(equation, link, verdict)
         } else {
             let verdict = self.exactly(|c| c.claim(equation, link));
-            self.second_opinion(equation, link, verdict)
+            let verdict = self.second_opinion(equation, link, verdict);
+            self.where_quantities_are_free(equation, link, verdict)
         }
     }
 

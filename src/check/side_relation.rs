@@ -47,7 +47,7 @@ impl Checker<'_> {
             }
             _ => return verdict,
         };
-        let Some(given) = self.side_relation(entries, refutation) else {
+        let Some(given) = self.side_relation(equation, entries, refutation) else {
             return verdict;
         };
         if matches!(verdict, Verdict::Misprint { .. }) {
@@ -60,7 +60,12 @@ impl Checker<'_> {
     }
 
     /// The relation under which entries that differ are equal, if it is one factor.
-    fn side_relation(&self, entries: &[ResidualEntry], refutation: &Refutation) -> Option<Given> {
+    fn side_relation(
+        &self,
+        equation: usize,
+        entries: &[ResidualEntry],
+        refutation: &Refutation,
+    ) -> Option<Given> {
         let counterexample = refutation.witness().cloned()?;
         let open: Vec<&ResidualEntry> = entries.iter().filter(|e| e.left != e.right).collect();
         let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
@@ -101,6 +106,10 @@ impl Checker<'_> {
         }
         let relation = relation?;
         let letters = relation.variables_occurring();
+        // It would hold at all times, and with it what it says of the rates: a point knows nothing of them.
+        if self.moves(equation, &letters) {
+            return None;
+        }
         let linear = letters.iter().any(|l| relation.degree(*l) == Some(1));
         if relation.len() > TERMS || letters.len() < 2 || !linear || !self.is_homogeneous(&relation)
         {
@@ -116,6 +125,19 @@ impl Checker<'_> {
             instance: Some(instance),
         };
         (!is_the_claim(&given)).then_some(given)
+    }
+
+    /// Whether a process is among some letters of whose motion the document or a hypothesis says something.
+    fn moves(&self, equation: usize, letters: &[usize]) -> bool {
+        let tied = self.ties_processes(equation);
+        letters
+            .iter()
+            .any(|letter| match self.model.letters[*letter] {
+                Letter::Symbol { symbol, .. } => {
+                    self.is_process(symbol) && (tied || self.has_own_motion(symbol))
+                }
+                Letter::Abbreviation { .. } | Letter::Function { .. } => false,
+            })
     }
 
     /// Whether all terms have one unit, as far as the units of their letters are declared.

@@ -7,6 +7,7 @@
 //! numbers, at some admitted point, and then it is a condition. What fails everywhere, or at the reference
 //! point, has no covariance, and nothing holds of it; what is not seen to exist stays undecided.
 
+mod degenerate;
 mod partial;
 
 pub(super) use partial::{EXISTS_FOR_SOME, PartialCovariance};

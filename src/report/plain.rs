@@ -158,7 +158,7 @@ impl Reader<'_> {
         let inner = self.argument();
         self.out = self.out.trim_end().to_string();
         match (mark, inner.as_str()) {
-            ('^', "T" | "t") => self.out.push_str("^T"),
+            ('^', "T") => self.out.push_str("^T"),
             (_, i) if i.chars().count() == 1 || i.chars().all(char::is_alphanumeric) => {
                 self.out += &format!("{mark}{inner}");
             }

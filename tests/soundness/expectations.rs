@@ -396,3 +396,95 @@ fn a_matrix_without_a_stationary_state_has_no_covariance() {
         "{tally:?}"
     );
 }
+
+/// Where some combination of random quantities has the variance zero it is zero almost surely, and no point of
+/// them shows that it is not; where none has, points do.
+#[test]
+fn what_has_no_variance_is_zero_almost_surely() {
+    let mut draw = Draw::new(77);
+    let mut claims = Vec::new();
+    let mut text = String::new();
+    let mut symbols = "g = { positive = true }\nh = { positive = true }\nt = { }\n".to_string();
+    let mut notation = String::new();
+    for k in 0..24 {
+        let [r, s, v] = ["r", "s", "V"].map(|l| format!("{l}_{{{k}}}"));
+        symbols += &format!("'{r}' = {{ function_of = 't' }}\n'{s}' = {{ function_of = 't' }}\n");
+        let [m, n] = [0; 2].map(|_| 1 + draw.below(4) as i64);
+        // The variances and covariance of m g and n g times one quantity, or of two.
+        let (vr, c, vs, singular) = match k % 6 {
+            0 => (
+                format!("{}g", m * m),
+                format!("{}g", m * n),
+                format!("{}g", n * n),
+                true,
+            ),
+            1 => (
+                format!("{}gh^2", m * m),
+                format!("{}gh^2", m * n),
+                format!("{}gh^2", n * n),
+                true,
+            ),
+            2 => (
+                format!("{}", m * m),
+                format!("{}", m * n),
+                format!("{}", n * n),
+                true,
+            ),
+            3 => (
+                format!("{}g", m * m),
+                "0".into(),
+                format!("{}h", n * n),
+                false,
+            ),
+            4 => (
+                format!("{}g", m * m + 1),
+                format!("{}g", m * n),
+                format!("{}g", n * n),
+                false,
+            ),
+            _ => (
+                format!("{}", m * m),
+                format!("{}", m * n),
+                format!("{}+g", n * n),
+                false,
+            ),
+        };
+        if k % 2 == 0 {
+            notation += &format!(
+                "'\\mathbf{{V}}_{{{k}}}' = {{ covariance_of = '\\begin{{bmatrix}} {r} \\\\ {s} \\end{{bmatrix}}' }}\n"
+            );
+            text += &format!(
+                "```math d{k} define\n\\mathbf{{V}}_{{{k}}} = \\begin{{bmatrix}} {vr} & {c} \\\\ {c} & {vs} \\end{{bmatrix}}\n```\n"
+            );
+        } else {
+            for (name, of) in [
+                (v.clone(), format!("'{r}'")),
+                (format!("W_{{{k}}}"), format!("'{s}'")),
+                (format!("C_{{{k}}}"), format!("['{r}', '{s}']")),
+            ] {
+                notation += &format!("'{name}' = {{ covariance_of = {of} }}\n");
+            }
+            text += &format!(
+                "```math d{k} define\n{v} = {vr}, \\quad W_{{{k}}} = {vs}, \\quad C_{{{k}}} = {c}\n```\n"
+            );
+        }
+        let own = [
+            format!("{n}{r} = {m}{s}"),
+            format!("{r} = \\frac{{{m}}}{{{n}}}{s}"),
+            format!("{n}\\dot {r} = {m}\\dot {s}"),
+            format!("{}{r}^2 = {}{s}^2", n * n, m * m),
+            format!("({n}{r} - {m}{s})g = 0"),
+        ];
+        claims.extend(own.into_iter().map(|claim| (claim, singular)));
+        claims.push((format!("E\\{{({n}{r} - {m}{s})^2\\}} = 0"), singular));
+    }
+    let preamble =
+        format!("```toml symbols\n{symbols}```\n```toml notation\n{notation}```\n{text}");
+    let all: Vec<String> = claims.iter().map(|(claim, _)| claim.clone()).collect();
+    let mut tally = Tally::default();
+    for ((claim, truth), word) in claims.iter().zip(verdicts(&preamble, &all)) {
+        tally.count(claim, *truth, word);
+    }
+    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
+    assert!(2 * tally.right >= tally.all(), "{tally:?}");
+}

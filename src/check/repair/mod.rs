@@ -263,7 +263,7 @@ impl<'m> Checker<'m> {
                 continue;
             }
             let mark = trial.store.mark();
-            let emptied = saying::emptied(self.model, trial, &corrected, &candidate);
+            let emptied = saying::emptied(self.model, equation, trial, &corrected, &candidate);
             trial.store.release(mark);
             if emptied.is_some() {
                 trial.empty += 1;
@@ -405,7 +405,7 @@ impl Checker<'_> {
                 continue;
             }
             let mark = trial.store.mark();
-            let emptied = saying::emptied(self.model, trial, &display, &fewer);
+            let emptied = saying::emptied(self.model, equation, trial, &display, &fewer);
             trial.store.release(mark);
             return match emptied {
                 Some(_) => Fewer::SaysNothing,

@@ -1,5 +1,5 @@
-//! What a corrected equation says that the document says already: a definition again, or that one number
-//! is another.
+//! What a corrected equation says that the document says already: a definition or a hypothesis again, or
+//! that one number is another.
 //!
 //! Definitions are inserted in the sides as they are written. What are then the same monomials on both
 //! sides follows from the definitions alone, whatever the letters are called. And where the print is about
@@ -7,10 +7,12 @@
 
 use crate::check::edit::build::group;
 use crate::check::edit::{form, written};
+use crate::document::Structure;
 use crate::expr::walk::{children, children_mut, visit};
-use crate::expr::{Expr, ExprKind, Name};
+use crate::expr::{Expr, ExprKind, Name, Relation};
 use crate::latex;
-use crate::model::{DefinitionKind, Model, NotationKind};
+use crate::model::names::Resolved;
+use crate::model::{DefinitionKind, Equation, Model, Node, NotationKind};
 use std::collections::BTreeSet;
 
 /// How deep definitions are inserted in each other.
@@ -46,9 +48,43 @@ pub(super) fn is_definition(
             return false;
         };
         gained[k].contains(&name)
-            && defined_as(model, sides[k])
-                .is_some_and(|value| written::arranged(&value) == written::arranged(sides[1 - k]))
+            && defined_as(model, sides[k]).is_some_and(|mut value| {
+                let mut other = sides[1 - k].clone();
+                drop_idle_transposes(model, &mut value);
+                drop_idle_transposes(model, &mut other);
+                written::arranged(&value) == written::arranged(&other)
+            })
     })
+}
+
+/// Whether the sides say what a hypothesis of the equation says.
+pub(super) fn is_a_hypothesis(equation: &Equation, sides: &[&Expr; 2]) -> bool {
+    let supposed = equation.assume.iter().chain(&equation.given);
+    let mut equations = supposed.filter(|h| h.relation == Relation::Equal);
+    equations.any(|h| {
+        let same = |k: usize| {
+            form::same_form(sides[k], &h.left) && form::same_form(sides[1 - k], &h.right)
+        };
+        same(0) || same(1)
+    })
+}
+
+/// Takes away the transposes of symmetric matrices, which change nothing.
+fn drop_idle_transposes(model: &Model, expr: &mut Expr) {
+    for part in children_mut(expr) {
+        drop_idle_transposes(model, part);
+    }
+    if let ExprKind::Transpose(inner) = &expr.kind
+        && let Some(name) = inner.as_name()
+        && let Ok(Resolved::Node {
+            node: Node::Matrix(matrix),
+            ..
+        }) = model.resolve(name, &|_| false)
+        && model.matrices[matrix].shape.structure == Structure::Symmetric
+    {
+        let inner = (**inner).clone();
+        *expr = inner;
+    }
 }
 
 /// Whether a rate of the time itself stands there, which is one.

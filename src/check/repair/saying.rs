@@ -28,7 +28,7 @@ pub(super) enum Emptied {
     /// Both sides are the same but for order and brackets.
     Tautology,
     /// Both sides are the same monomials, with the definitions inserted or without, and something was put
-    /// in to make them so.
+    /// in to make them so; or they say what is supposed.
     Restatement,
     /// Something is zero by its form, or vanishes in value, that did not.
     Vanishing,
@@ -51,6 +51,7 @@ pub(super) enum Emptied {
 /// In what way a candidate that makes the sides agree says less than the print did, if it does.
 pub(super) fn emptied(
     model: &Model,
+    equation: usize,
     trial: &mut Trial<'_, '_>,
     corrected: &Display,
     candidate: &Candidate,
@@ -93,7 +94,10 @@ pub(super) fn emptied(
     {
         return Some(Emptied::Restatement);
     }
-    if restated::is_definition(model, &after, &gained) || restated::rates_the_time(model, &after) {
+    if restated::is_definition(model, &after, &gained)
+        || restated::rates_the_time(model, &after)
+        || restated::is_a_hypothesis(&model.equations[equation], &after)
+    {
         return Some(Emptied::Restatement);
     }
     // u^T v = v^T u: each side was multiplied by the other.
