@@ -71,6 +71,16 @@ pub struct Text {
     pub span: Span,
 }
 
+impl Text {
+    /// The same with blanks for line ends: a line of what is printed is never one of a document.
+    fn on_one_line(mut self) -> Text {
+        if self.text.contains(['\n', '\t']) {
+            self.text = self.text.replace(['\n', '\t'], " ");
+        }
+        self
+    }
+}
+
 /// A paper as an executable document, decoded but not yet read as mathematics.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Document {
@@ -194,7 +204,7 @@ impl Document {
             title: reader
                 .title
                 .map(|title| title.text)
-                .or(heading)
+                .or_else(|| Some(diagnostic::printable_line(&heading?).into_owned()))
                 .unwrap_or_else(|| name.into()),
             source: reader.source,
             paper: reader.paper,
@@ -504,12 +514,13 @@ impl<'t> Reader<'t> {
 
     fn document(&mut self, entries: table::Entries) {
         let mut fields = Fields::new(entries, &mut self.report);
-        self.title = fields.text("title");
-        self.source = fields.text("source");
+        self.title = fields.words("title");
+        self.source = fields.words("source");
         let numbers = fields.text("equations");
         let figures = fields.text("figures");
         let paper = fields.take("paper");
-        self.remarks = fields.texts("remarks");
+        let remarks = fields.texts("remarks").into_iter();
+        self.remarks = remarks.map(Text::on_one_line).collect();
         self.rests_on = fields.text("rests_on");
         self.order = fields.number("order").map(|(order, _)| order);
         let instances = fields.take("instances");

@@ -8,6 +8,7 @@
 //! point, has no covariance, and nothing holds of it; what is not seen to exist stays undecided.
 
 mod degenerate;
+mod form;
 mod partial;
 
 pub(super) use partial::{EXISTS_FOR_SOME, PartialCovariance};
@@ -69,6 +70,9 @@ impl Checker<'_> {
     /// The verdict on an equation that determines a covariance which does not exist, or of which nothing
     /// shows that it does; none where all is well. What has no covariance has no value from now on.
     pub(super) fn no_covariance(&mut self, node: Node, equation: usize) -> Option<Verdict> {
+        if let Some(verdict) = self.malformed_covariance(node) {
+            return Some(verdict);
+        }
         let (demand, determined) = self.demand(node)?;
         match self.standing(&demand) {
             Standing::Exists => None,

@@ -201,7 +201,7 @@ pub(super) fn targets(words: &str, offset: usize) -> Vec<Text> {
 pub(super) fn settings(entries: Entries, settings: &mut Settings, report: &mut Vec<Diagnostic>) {
     let mut fields = Fields::new(entries, report);
     judgement(&mut fields, settings);
-    if let Some(quote) = fields.text("quote") {
+    if let Some(quote) = fields.words("quote") {
         settings.quote = Some(quote);
     }
     settings.given.extend(fields.texts("given"));
@@ -239,10 +239,10 @@ pub(super) fn judgement(fields: &mut Fields<'_>, settings: &mut Settings) {
         }
     }
     settings.assume.extend(fields.texts("assume"));
-    if let Some(reason) = fields.text("reason") {
+    if let Some(reason) = fields.words("reason") {
         settings.reason = Some(reason);
     }
-    if let Some(note) = fields.text("note") {
+    if let Some(note) = fields.words("note") {
         settings.note = Some(note);
     }
     for (key, place) in [
@@ -250,14 +250,14 @@ pub(super) fn judgement(fields: &mut Fields<'_>, settings: &mut Settings) {
         ("instead", &mut settings.instead),
         ("place", &mut settings.place),
     ] {
-        if let Some(text) = fields.text(key) {
+        if let Some(text) = fields.words(key) {
             *place = Some(text);
         }
     }
     if let Some(word) = fields.text("likelier") {
         settings.likelier = source(&word, fields.report());
     }
-    if let Some(because) = fields.text("because") {
+    if let Some(because) = fields.words("because") {
         if settings.likelier.is_none() {
             let found = "`because` without `likelier`".into();
             let expected = "`likelier = \"paper\"` or `likelier = \"transcription\"` beside it";
@@ -290,7 +290,7 @@ fn source(word: &Text, report: &mut Vec<Diagnostic>) -> Option<Source> {
 
 fn recalled(value: Value, report: &mut Vec<Diagnostic>) -> Option<Text> {
     let mut fields = Fields::of(value, "a table such as { recall = \"why\" }", report);
-    let recall = fields.text("recall");
+    let recall = fields.words("recall");
     fields.finish();
     recall
 }

@@ -162,7 +162,7 @@ pub(super) fn figure(
     let before = report.len();
     let mut fields = Fields::new(entries, report);
     let title = required(&mut fields, "title", &label);
-    let note = fields.text("note");
+    let note = fields.words("note");
     let word = required(&mut fields, "kind", &label);
     let kind = match word.as_ref().map(|word| word.text.as_str()) {
         Some("surface") => surface(&mut fields, &label).map(FigureKind::Surface),
@@ -178,7 +178,7 @@ pub(super) fn figure(
     };
     fields.finish();
     let complete = report.len() == before;
-    let (title, kind) = (title?, kind?);
+    let (title, kind) = (title?.on_one_line(), kind?);
     complete.then_some(Figure {
         label,
         title,
@@ -423,7 +423,7 @@ fn chain(fields: &mut Fields<'_>, label: &Text) -> Option<Vec<Station>> {
         let mut part = Fields::new(entries, fields.report());
         let inside = part.text("box");
         let beside = part.text("arrow");
-        let words = part.text("words");
+        let words = part.words("words");
         part.finish();
         let station = match (inside, beside) {
             (Some(formula), None) => Station {

@@ -25,13 +25,13 @@ pub(super) fn paper(value: Value, report: &mut Vec<Diagnostic>) -> Option<Paper>
     let (span, is_table) = (value.span, matches!(value.kind, ValueKind::Table(_)));
     if let ValueKind::String(title) = value.kind {
         return Some(Paper {
-            title,
+            title: title.on_one_line(),
             equation_numbers: Vec::new(),
             figure_numbers: Vec::new(),
         });
     }
     let mut fields = Fields::of(value, what, report);
-    let (title, listed) = (fields.text("title"), fields.text("equations"));
+    let (title, listed) = (fields.words("title"), fields.text("equations"));
     let figures = fields.text("figures");
     fields.finish();
     if title.is_none() && is_table {

@@ -116,7 +116,7 @@ fn symbol(name: Text, value: Value, report: &mut Vec<Diagnostic>) -> Symbol {
     let domain = domain(&mut fields);
     let range = fields.text("range");
     let number = fields.number("value");
-    let meaning = fields.text("meaning");
+    let meaning = fields.words("meaning");
     let arguments = fields.take("function_of");
     let arguments =
         arguments.map_or_else(Vec::new, |value| self::arguments(value, fields.report()));
@@ -315,7 +315,7 @@ fn convention(name: Text, value: Value, report: &mut Vec<Diagnostic>) -> Option<
             kinds.push((span, kind(key, value, fields.report())));
         }
     }
-    let meaning = fields.text("meaning");
+    let meaning = fields.words("meaning");
     if kinds.len() != 1 {
         let span = kinds.get(1).map_or(name.span, |(span, _)| *span);
         let diagnostic = Diagnostic::new(

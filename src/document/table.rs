@@ -5,7 +5,7 @@
 
 use super::Text;
 use super::number::{exact_number, write_number};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::{Diagnostic, DiagnosticKind, printable};
 use crate::span::Span;
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -125,8 +125,9 @@ fn text(body: &str, offset: usize, range: std::ops::Range<usize>, words: &str) -
         .into_iter()
         .find(|&n| raw.len() >= 2 * n && raw.get(n..raw.len() - n) == Some(words));
     let inset = if raw == words { 0 } else { quote.unwrap_or(0) };
+    // What a string spells out with escapes is no more to be obeyed than what stands there as it is.
     Text {
-        text: words.into(),
+        text: printable(words).into_owned(),
         span: Span::new(offset + range.start + inset, offset + range.end - inset),
     }
 }
@@ -180,6 +181,11 @@ impl<'r> Fields<'r> {
     pub(super) fn text(&mut self, key: &'static str) -> Option<Text> {
         let value = self.take(key)?;
         string(value, self.report)
+    }
+
+    /// Words for people: on one line, however they are written.
+    pub(super) fn words(&mut self, key: &'static str) -> Option<Text> {
+        self.text(key).map(Text::on_one_line)
     }
 
     pub(super) fn boolean(&mut self, key: &'static str) -> Option<bool> {

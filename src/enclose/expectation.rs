@@ -35,6 +35,9 @@ struct Moment {
     node: Node,
     row: usize,
     column: usize,
+    /// The numbers of entries of the two vectors, and whether these are one.
+    shape: (usize, usize),
+    itself: bool,
 }
 
 /// What an expression is in the letters: its value where they vanish, its linear coefficients, and those
@@ -97,6 +100,8 @@ impl Evaluator<'_, '_> {
                             node,
                             row,
                             column,
+                            shape: (left.len(), right.len()),
+                            itself: covariance.left == covariance.right,
                         });
                     }
                 }
@@ -138,9 +143,15 @@ impl Evaluator<'_, '_> {
         for moment in moments {
             let value = self.node((moment.node, Vec::new()), span)?;
             covariances.push(match &value {
-                Value::Scalar(x) if (moment.row, moment.column) == (0, 0) => x.clone(),
-                Value::Matrix(m) if moment.row < m.rows() && moment.column < m.columns() => {
-                    m[(moment.row, moment.column)].clone()
+                Value::Scalar(x) if moment.shape == (1, 1) => x.clone(),
+                Value::Matrix(m) if (m.rows(), m.columns()) == moment.shape => {
+                    let (i, j) = (moment.row, moment.column);
+                    // That of a vector with itself is square.
+                    if moment.itself && m[(i, j)].number().is_apart_from(m[(j, i)].number()) {
+                        let what = "a covariance that is not symmetric";
+                        return Err(Reason::Unsupported(what).at(span));
+                    }
+                    m[(i, j)].clone()
                 }
                 Value::Zero => Jet::zero(),
                 Value::Scalar(_) | Value::Matrix(_) => {

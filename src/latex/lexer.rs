@@ -303,14 +303,10 @@ impl Lexer<'_> {
                 }
                 let is_words = matches!(command, "text" | "mbox" | "textrm" | "textnormal");
                 if let Some(text) = self.word_argument() {
-                    let joined = text.split_whitespace().collect::<Vec<_>>().join(" ");
-                    // A leading blank tells a remark from a word in the formula.
-                    let token = if is_words && text.starts_with(char::is_whitespace) {
-                        format!(" {joined}")
-                    } else {
-                        joined
-                    };
-                    self.push(Token::Text(token), start);
+                    match is_words && text.contains('$') {
+                        true => self.words_and_formulas(&text, start),
+                        false => self.words(&text, is_words, start),
+                    }
                 }
             }
             command if vocabulary::is_known(command) => self.push(Token::Command(word), start),
@@ -384,6 +380,38 @@ impl Lexer<'_> {
     }
 
     /// `{...}` as raw text, or the one letter that TeX takes where no brace follows.
+    fn words(&mut self, text: &str, is_words: bool, start: usize) {
+        let joined = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        // A leading blank tells a remark from a word in the formula.
+        let token = match is_words && text.starts_with(char::is_whitespace) {
+            true => format!(" {joined}"),
+            false => joined,
+        };
+        self.push(Token::Text(token), start);
+    }
+
+    /// `\text{if $x > 0$}`, of which the closing brace was just read: words and formulas in turn.
+    fn words_and_formulas(&mut self, text: &str, start: usize) {
+        if text.matches('$').count() % 2 == 1 {
+            let delimiter = "$".to_owned();
+            return self.complain(DiagnosticKind::Unbalanced { delimiter }, start);
+        }
+        let end = self.at;
+        let mut at = end - 1 - text.len();
+        for (k, part) in text.split('$').enumerate() {
+            if k % 2 == 1 {
+                let (lexemes, diagnostics) = lex(part, self.offset + at);
+                self.lexemes.extend(lexemes);
+                self.diagnostics.extend(diagnostics);
+            } else if !part.trim().is_empty() {
+                self.at = at + part.len();
+                self.words(part, true, at);
+            }
+            at += part.len() + 1;
+        }
+        self.at = end;
+    }
+
     fn word_argument(&mut self) -> Option<String> {
         self.skip_blanks();
         match self.peek() {

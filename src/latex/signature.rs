@@ -23,6 +23,8 @@ pub struct Signature {
     /// Names that an equation defines and no table declares.
     defined: BTreeSet<String>,
     indexed: BTreeSet<Letter>,
+    /// Letters that with two indices are the entries of a matrix.
+    entries: BTreeSet<Letter>,
     /// Letters that stand somewhere without a bracket after them; none where nothing was noted.
     bare: Option<BTreeSet<String>>,
     expectation: Option<String>,
@@ -57,6 +59,7 @@ impl Default for Signature {
             names: BTreeSet::new(),
             defined: BTreeSet::new(),
             indexed: BTreeSet::new(),
+            entries: BTreeSet::new(),
             bare: None,
             expectation: Some("E".to_owned()),
         }
@@ -71,6 +74,17 @@ impl Signature {
         if name.subscript.is_some() {
             self.indexed.insert(name.letter.clone());
         }
+    }
+
+    /// Declares the entries of a matrix, with an index pattern such as `A_{i,j}`.
+    pub(crate) fn declare_entries(&mut self, name: &Name) {
+        self.entries.insert(name.letter.clone());
+        self.declare(name);
+    }
+
+    /// Whether a name is an entry of a matrix.
+    pub(super) fn has_entries(&self, name: &Name) -> bool {
+        name.subscript.is_some() && self.entries.contains(&name.letter)
     }
 
     /// Declares a function and the letters it is a function of.

@@ -180,6 +180,57 @@ pub(crate) fn is_condition(word: &str) -> bool {
     )
 }
 
+/// Words for all cases that no other condition names.
+pub(super) fn is_otherwise(word: &str) -> bool {
+    matches!(
+        word.trim().trim_end_matches(['.', ',', ';']),
+        "otherwise"
+            | "else"
+            | "elsewhere"
+            | "in all other cases"
+            | "in any other case"
+            | "in other cases"
+    )
+}
+
+/// Words that tell where an equation comes from, and nothing of what it says.
+pub(super) fn is_justification(words: &str) -> bool {
+    let mut each = words
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|w| !w.is_empty());
+    let reasons = ["by", "from", "see", "using", "cf", "according", "due"];
+    each.next().is_some_and(|first| reasons.contains(&first)) && !restricts(words)
+}
+
+/// Whether one of some words restricts what stands beside them, or takes it back.
+pub(super) fn restricts(words: &str) -> bool {
+    let mut each = words.split(|c: char| !c.is_alphanumeric());
+    each.any(|word| {
+        matches!(
+            word.to_lowercase().as_str(),
+            "if" | "for"
+                | "when"
+                | "where"
+                | "unless"
+                | "except"
+                | "provided"
+                | "only"
+                | "not"
+                | "no"
+                | "never"
+                | "cannot"
+                | "false"
+                | "wrong"
+                | "incorrect"
+                | "untrue"
+                | "nearly"
+                | "almost"
+                | "approximately"
+                | "up"
+        )
+    })
+}
+
 /// The word for "some constant".
 pub(super) fn is_constant(word: &str) -> bool {
     matches!(word, "const" | "const." | "constant")

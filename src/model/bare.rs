@@ -8,7 +8,7 @@ use super::names::Resolved;
 use super::{Model, Node};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::walk::{children, varied_name};
-use crate::expr::{Expr, ExprKind, Name};
+use crate::expr::{Bracket, Expr, ExprKind, Name};
 use crate::latex;
 use std::collections::BTreeSet;
 
@@ -24,6 +24,11 @@ impl Model {
         if let Some(name) = expr.as_name() {
             self.bare_function(name, expr, varying, report);
         }
+        if let ExprKind::Product(factors) = &expr.kind {
+            for pair in factors.windows(2) {
+                self.applied_together(&pair[0], &pair[1], report);
+            }
+        }
         // An index that names no letter only counts.
         let counts = |name: &Name| {
             matches!(expr.kind, ExprKind::BigSum { .. })
@@ -36,6 +41,64 @@ impl Model {
             self.bare_functions(child, varying, report);
         }
         varying.truncate(before);
+    }
+
+    /// `(f + g)(x)` and `fg(x)`, where f and g are functions without arguments of their own.
+    fn applied_together(&self, first: &Expr, second: &Expr, report: &mut Vec<Diagnostic>) {
+        let bracket = |e: &Expr| {
+            matches!(
+                e.kind,
+                ExprKind::Group {
+                    bracket: Bracket::Round,
+                    ..
+                }
+            )
+        };
+        let mut bare = Vec::new();
+        match (&first.kind, &second.kind) {
+            (ExprKind::Group { inner, .. }, _) if bracket(first) && bracket(second) => {
+                self.bare_nodes(inner, &mut bare);
+            }
+            (ExprKind::Name(_), ExprKind::Apply { function, .. })
+                if matches!(
+                    self.resolve(function, &|_| false),
+                    Ok(Resolved::Node { .. } | Resolved::Primed { .. })
+                ) =>
+            {
+                self.bare_nodes(first, &mut bare);
+            }
+            _ => return,
+        }
+        let functions = bare
+            .iter()
+            .any(|node| self.function_definition(*node).is_some());
+        let itself = match &second.kind {
+            ExprKind::Group { inner, .. } => Some(&**inner),
+            ExprKind::Apply { arguments, .. } => match arguments.as_slice() {
+                [only] => Some(only),
+                _ => None,
+            },
+            _ => None,
+        };
+        let own = itself
+            .and_then(Expr::as_name)
+            .map(latex::canonical)
+            .is_some_and(|name| {
+                bare.iter()
+                    .all(|node| self.own_letters(*node).contains(&name))
+            });
+        // At its own letter both readings of f are one.
+        if !functions || own && matches!(first.kind, ExprKind::Name(_)) {
+            return;
+        }
+        let readings = vec![
+            "functions of what stands in the bracket, each written with its argument".to_owned(),
+            "a product with functions at their own letters".to_owned(),
+        ];
+        report.push(Diagnostic::new(
+            DiagnosticKind::Ambiguous { readings },
+            first.span.to(second.span),
+        ));
     }
 
     fn bare_function(

@@ -292,6 +292,7 @@ impl Builder {
             if let Ok(name) = latex::parse_name(&notation.name.text, notation.name.span.start) {
                 match notation.kind {
                     document::NotationKind::Dirac => signature.declare_function(&name, &[]),
+                    document::NotationKind::EntryOf(_) => signature.declare_entries(&name),
                     _ => signature.declare(&name),
                 }
             }

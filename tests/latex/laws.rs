@@ -255,7 +255,11 @@ fn tree() -> impl Strategy<Value = Expr> + Clone {
                         label: Box::new(label),
                     })
                 }),
-                1 => (inner.clone(), chain_of(inner)).prop_map(|(value, condition)| {
+                1 => (inner.clone(), chain_of(inner)).prop_map(|(value, mut condition)| {
+                    if condition.relations.is_empty() {
+                        condition.members.push(value.clone());
+                        condition.relations.push(Relation::Less);
+                    }
                     at(ExprKind::Cases(vec![(value.clone(), vec![condition]), (value, vec![])]))
                 }),
             ]

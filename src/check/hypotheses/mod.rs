@@ -251,6 +251,7 @@ impl<'m> Checker<'m> {
             ..before.clone()
         };
         for (letter, value) in &before.replaced {
+            self.suppose_value(value, &mut next);
             self.transfer(*letter, value, &mut next)?;
         }
         // Signs first: they tell which slopes do not vanish.

@@ -65,9 +65,19 @@ impl<'m> Checker<'m> {
         match candidate {
             Some(found) => {
                 let Candidate { letter, value } = found;
+                self.suppose_value(&value, supposed);
                 self.replace((letter, value), exact, supposed, (valid, span))
             }
             None => Ok(()),
+        }
+    }
+
+    /// Where a letter has a value in others, what that divides by does not vanish: xy = 1 says that y is not
+    /// zero.
+    pub(super) fn suppose_value(&self, value: &RationalFunction, supposed: &mut Supposed) {
+        let divisor = value.denominator();
+        if !divisor.is_constant() && !self.signs_in(supposed, divisor).excludes_zero() {
+            supposed.admitted.suppose(divisor, Signs::NOT_ZERO);
         }
     }
 

@@ -60,7 +60,11 @@ impl Checker<'_> {
         }
         let quantities = self.processes_behind(sides.into_iter());
         let vectors = self.vectors_of(&quantities);
-        !vectors.is_empty() && self.may_be_singular(&vectors)
+        // What the covariances divide by is no matter of the link.
+        let conditions = self.exact.conditions.clone();
+        let dependent = !vectors.is_empty() && self.may_be_singular(&vectors);
+        self.exact.conditions = conditions;
+        dependent
     }
 
     /// The random vectors that have a covariance and some of these quantities; none whose quantities

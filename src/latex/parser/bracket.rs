@@ -28,10 +28,15 @@ impl Parser<'_> {
                 style: QuotientStyle::Slash,
                 ..
             } => true,
-            ExprKind::Product(_) => scripted,
+            ExprKind::Product(_) | ExprKind::Power { .. } | ExprKind::Transpose(_) => scripted,
             _ => false,
         };
-        if hidden {
+        let reaches = match end_of(&inner) {
+            End::Open => scripted || self.starts_factor(),
+            End::Bracketed => scripted,
+            End::Closed => false,
+        };
+        if hidden || reaches {
             let readings = ["as if the brace were a bracket", "as if it were not there"];
             return Err(self.ambiguous(readings, self.since(start)));
         }
@@ -59,6 +64,13 @@ impl Parser<'_> {
                 }
                 parser.position += 1;
                 items.push(parser.expression()?);
+            }
+            if bracket == Bracket::Square && !row && parser.may_commute(&items) {
+                let readings = [
+                    "a commutator, written \\mathbf{A}\\mathbf{B} - \\mathbf{B}\\mathbf{A}",
+                    "a row of two blocks, written as a matrix with &",
+                ];
+                return Err(parser.ambiguous(readings, parser.since(start)));
             }
             let is_cases =
                 matches!(items.as_slice(), [only] if matches!(only.kind, ExprKind::Cases(_)));
@@ -160,5 +172,48 @@ impl Parser<'_> {
             argument: Box::new(argument),
         };
         self.raised(Expr::new(kind, span))
+    }
+}
+
+/// Whether the end of an expression is seen where no brace is.
+enum End {
+    /// What follows would belong to it.
+    Open,
+    /// It ends with a bracket: only a script could belong to that bracket.
+    Bracketed,
+    /// It is seen.
+    Closed,
+}
+
+fn end_of(expr: &Expr) -> End {
+    match &expr.kind {
+        ExprKind::Call {
+            function: Function::Absolute | Function::SquareRoot,
+            ..
+        } => End::Closed,
+        ExprKind::Call { argument, .. } => match &argument.kind {
+            ExprKind::Group { .. } | ExprKind::Matrix { .. } => End::Bracketed,
+            _ => End::Open,
+        },
+        ExprKind::BigSum { .. } | ExprKind::Derivative { .. } => End::Open,
+        // The letter of the differential takes the script.
+        ExprKind::Integral { .. } => End::Bracketed,
+        ExprKind::Product(factors) => factors.last().map_or(End::Closed, end_of),
+        ExprKind::Number(_)
+        | ExprKind::Name(_)
+        | ExprKind::Named { .. }
+        | ExprKind::Apply { .. }
+        | ExprKind::Sum(_)
+        | ExprKind::Quotient { .. }
+        | ExprKind::Power { .. }
+        | ExprKind::Transpose(_)
+        | ExprKind::Matrix { .. }
+        | ExprKind::Group { .. }
+        | ExprKind::Tuple(_)
+        | ExprKind::Cases(_)
+        | ExprKind::Expectation(_)
+        | ExprKind::Underbrace { .. }
+        | ExprKind::Infinity
+        | ExprKind::Constant => End::Closed,
     }
 }

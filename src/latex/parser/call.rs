@@ -31,6 +31,10 @@ impl Parser<'_> {
             }
             exponent = Some(found);
         }
+        // A brace around a bracket is not seen.
+        let brace = (function != Function::SquareRoot && self.at_braced_bracket())
+            .then(|| self.partner[self.position]);
+        self.position += usize::from(brace.is_some());
         let bracketed = function == Function::SquareRoot || self.at_bracket();
         let argument = match function {
             Function::SquareRoot => self.argument(false)?,
@@ -41,6 +45,9 @@ impl Parser<'_> {
             | Function::ImaginaryPart => self.factor()?,
             _ => self.letters()?,
         };
+        if let Some(close) = brace {
+            self.close(close)?;
+        }
         let kind = ExprKind::Call {
             function,
             argument: Box::new(argument),
@@ -82,6 +89,20 @@ impl Parser<'_> {
                 ) | Token::Begin(Environment::Matrix(_))
             )
         )
+    }
+
+    /// Whether a brace follows that holds one bracket and nothing else.
+    fn at_braced_bracket(&self) -> bool {
+        let open = self.position;
+        self.at(&Token::Open(Delimiter::Brace))
+            && matches!(
+                self.peek_at(1),
+                Some(Token::Open(
+                    Delimiter::Visible(Bracket::Round | Bracket::Square | Bracket::Curly)
+                        | Delimiter::Stretched(Bracket::Round | Bracket::Square | Bracket::Curly)
+                ))
+            )
+            && self.partner[open + 1] + 1 == self.partner[open]
     }
 
     /// Whether a bracket follows with no printed space before it.

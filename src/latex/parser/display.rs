@@ -279,7 +279,7 @@ impl Parser<'_> {
             };
         }
         self.number_goes_on()?;
-        let remark = self.remark();
+        let remark = self.remark(!chain.relations.is_empty())?;
         if !self.at_close()
             && !self.peek().is_some_and(Self::is_separator)
             && !matches!(self.peek(), Some(Token::Begin(_)))
@@ -330,6 +330,9 @@ impl Parser<'_> {
     fn heading(&mut self) -> Option<String> {
         if let Some(Token::Text(word)) = self.peek() {
             let word = word.trim().to_owned();
+            if vocabulary::restricts(&word) {
+                return None;
+            }
             if let Some(heading) = word.strip_suffix(':') {
                 self.position += 1;
                 return Some(heading.trim().to_owned());
@@ -365,8 +368,10 @@ impl Parser<'_> {
         Some(heading)
     }
 
-    /// Words after the equation.
-    fn remark(&mut self) -> Option<String> {
+    /// Words after the equation that tell where it comes from. What else they say may be a condition, unless
+    /// there is nothing that could hold under one.
+    fn remark(&mut self, related: bool) -> Parse<Option<String>> {
+        let start = self.here();
         let mut words: Vec<String> = Vec::new();
         while let Some(Token::Text(word)) = self.peek()
             && self.is_remark(word)
@@ -374,7 +379,18 @@ impl Parser<'_> {
             words.push(word.trim().to_owned());
             self.position += 1;
         }
-        (!words.is_empty()).then(|| words.join(" "))
+        let words = words.join(" ");
+        if words.is_empty() {
+            return Ok(None);
+        }
+        if related && !vocabulary::is_justification(&words) {
+            let readings = [
+                "a remark, which can be left out of the display",
+                "a condition, written with a relation as in `\\text{ for } x > 0`",
+            ];
+            return Err(self.ambiguous(readings, self.since(start)));
+        }
+        Ok(Some(words))
     }
 
     /// `m = 0(1)6`, or `m = 0, 1, \ldots, 6`, of which the first value is read.

@@ -132,26 +132,25 @@ impl Parser<'_> {
     }
 
     /// Values with their conditions; a row of words alone ("for") is passed over.
+    /// The rows of cases: each value with the conditions under which it is meant, all of them; the last one
+    /// perhaps otherwise. Of conditions joined by "or" each has a row of its own.
     fn cases(&mut self, end: usize) -> Parse<Vec<(Expr, Vec<Chain>)>> {
-        let mut cases = Vec::new();
+        let mut cases: Vec<(Expr, Vec<Chain>)> = Vec::new();
         while self.position < end {
             if self.words_only(end) {
                 continue;
             }
+            if cases
+                .last()
+                .is_some_and(|(_, conditions)| conditions.is_empty())
+            {
+                return Err(self.unexpected("no case behind the one that is meant otherwise"));
+            }
             let value = self.expression()?;
             self.accept_punctuation();
-            let mut conditions = Vec::new();
-            while self.accept_symbol('&') {
-                self.skip_words();
-                while self.position < end
-                    && !matches!(self.peek(), Some(Token::RowBreak | Token::Symbol('&')))
-                {
-                    conditions.push(self.chain()?);
-                    self.accept_punctuation();
-                    self.skip_words();
-                }
+            for conditions in self.conditions(end)? {
+                cases.push((value.clone(), conditions));
             }
-            cases.push((value, conditions));
             if self.position < end && !self.at(&Token::RowBreak) {
                 return Err(self.unexpected("&, \\\\ or the end of the cases"));
             }
@@ -166,26 +165,79 @@ impl Parser<'_> {
         Ok(cases)
     }
 
+    /// The conditions of one case, in alternatives; one without any is meant otherwise.
+    fn conditions(&mut self, end: usize) -> Parse<Vec<Vec<Chain>>> {
+        let mut alternatives = vec![Vec::new()];
+        let (mut otherwise, mut joined, mut listed) = (false, false, false);
+        while self.accept_symbol('&') {
+            otherwise |= self.case_words();
+            while self.position < end
+                && !matches!(self.peek(), Some(Token::RowBreak | Token::Symbol('&')))
+            {
+                let start = self.here();
+                if otherwise {
+                    return Err(self.unexpected("no condition beside the word for all other cases"));
+                }
+                let chain = self.chain()?;
+                if chain.relations.is_empty() {
+                    let kind = DiagnosticKind::Unexpected {
+                        found: "an expression".to_owned(),
+                        expected: "a condition such as `x > 0`, or \\text{otherwise}".to_owned(),
+                    };
+                    return Err(self.error(kind, self.since(start)));
+                }
+                if let Some(conditions) = alternatives.last_mut() {
+                    listed |= !conditions.is_empty();
+                    conditions.push(chain);
+                }
+                self.accept_punctuation();
+                if matches!(self.peek(), Some(Token::Text(word)) if word.trim() == "or") {
+                    joined = true;
+                    self.position += 1;
+                    alternatives.push(Vec::new());
+                }
+                if joined && listed {
+                    let readings = ["(A and B) or C", "A and (B or C)"];
+                    return Err(self.ambiguous(readings, self.since(start)));
+                }
+                otherwise |= self.case_words();
+            }
+        }
+        let empty = alternatives.iter().any(Vec::is_empty);
+        if empty && !(otherwise && alternatives.len() == 1) {
+            return Err(self.unexpected("a condition such as `x > 0`, or \\text{otherwise}"));
+        }
+        if otherwise && !empty {
+            return Err(self.unexpected("no condition beside the word for all other cases"));
+        }
+        Ok(alternatives)
+    }
+
     fn accept_punctuation(&mut self) {
         while matches!(self.peek(), Some(Token::Symbol(',' | ';' | '.'))) {
             self.position += 1;
         }
     }
 
-    /// Passes over "for", "if", "otherwise".
-    fn skip_words(&mut self) {
+    /// Passes over "for", "if", "and"; whether the words say "otherwise".
+    fn case_words(&mut self) -> bool {
+        let mut otherwise = false;
         while let Some(Token::Text(word)) = self.peek()
-            && (vocabulary::is_conjunction(word) || word.trim() == "otherwise")
+            && word.trim() != "or"
+            && (vocabulary::is_conjunction(word) || vocabulary::is_otherwise(word))
         {
+            otherwise |= vocabulary::is_otherwise(word);
             self.position += 1;
+            self.accept_punctuation();
         }
+        otherwise
     }
 
     /// Passes over a row that holds words and no formula.
     fn words_only(&mut self, end: usize) -> bool {
         let start = self.position;
-        self.skip_words();
-        if self.position == start {
+        if self.case_words() || self.position == start {
+            self.position = start;
             return false;
         }
         while self.position < end && self.at_symbol('&') {

@@ -145,10 +145,18 @@ impl Parser<'_> {
 
     /// The index, exponent and arguments of a name, in the orders in which they are printed.
     pub(super) fn scripted(&mut self, mut name: Name, start: Span) -> Parse<Expr> {
-        let mut exponent = None;
+        let mut exponent: Option<Expr> = None;
         loop {
             if self.at_symbol('_') || self.at_symbol('\'') {
+                let index = self.at_symbol('_');
                 self.index_or_prime(&mut name)?;
+                if index && exponent.is_some() && self.signature.has_entries(&name) {
+                    let readings = [
+                        "the power of the entry, with the index printed first",
+                        "the entry of the power, which needs a name of its own",
+                    ];
+                    return Err(self.ambiguous(readings, self.since(start)));
+                }
             } else if self.at_symbol('^') {
                 self.power_or_prime(&mut name, &mut exponent)?;
             } else {

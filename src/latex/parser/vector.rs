@@ -68,7 +68,11 @@ impl Parser<'_> {
             ];
             return Err(self.ambiguous(readings, span));
         }
-        if kinds != (Kind::Column, Kind::Column) {
+        // (\mathbf w \mathbf u)^T \mathbf v has no meaning, \mathbf w (\mathbf u^T \mathbf v) has one.
+        let several = |factors: &[Expr]| {
+            self.several_shapes(factors) && !factors.iter().any(|f| self.kind_of(f) == Kind::Matrix)
+        };
+        if kinds != (Kind::Column, Kind::Column) || several(&left) || several(&right) {
             let readings = [
                 "the scalar product, written \\mathbf{u}^T\\mathbf{v}",
                 "a product of matrices, written without a dot",
@@ -93,6 +97,19 @@ impl Parser<'_> {
     /// Whether a base is a column, whose powers are none of a matrix.
     pub(super) fn is_column(&self, base: &Expr) -> bool {
         self.kind_of(base) == Kind::Column
+    }
+
+    /// Whether two factors in square brackets may be meant as their commutator: both are matrices, or
+    /// may be.
+    pub(super) fn may_commute(&self, items: &[Expr]) -> bool {
+        let mut kinds = items.iter().map(|item| self.kind_of(item));
+        items.len() == 2 && kinds.all(|kind| matches!(kind, Kind::Matrix | Kind::Unknown))
+    }
+
+    /// Whether more than one factor has a shape: what a dot contracts is then in doubt.
+    fn several_shapes(&self, factors: &[Expr]) -> bool {
+        let shaped = factors.iter().filter(|f| self.kind_of(f) != Kind::Number);
+        shaped.count() > 1
     }
 
     /// What a product of these is.

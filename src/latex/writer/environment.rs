@@ -66,7 +66,11 @@ impl Writer {
                     .iter()
                     .map(|condition| self.chain(condition, false))
                     .collect();
-                format!("{} & {}", self.expression(value), conditions.join(", "))
+                let conditions = match conditions.is_empty() {
+                    true => "\\text{otherwise}".to_owned(),
+                    false => conditions.join(", "),
+                };
+                format!("{} & {conditions}", self.expression(value))
             })
             .collect();
         format!("\\begin{{cases}} {} \\end{{cases}}", lines.join(" \\\\ "))
