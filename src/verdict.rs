@@ -215,8 +215,10 @@ pub struct Outcome {
     pub contradiction: Option<Contradiction>,
     /// Why an inequality holds.
     pub positivity: Option<Positivity>,
-    /// Where it is false, an earlier link whose correction changed a side of it.
+    /// An earlier link whose correction changed a side of it: where it is false, or holds with that only.
     pub after: Option<After>,
+    /// The other equations that it was judged with as corrected: as printed it is not seen to hold.
+    pub corrected: Vec<usize>,
     /// The hypotheses printed around the equation that were used, in LaTeX.
     pub assumed: Vec<String>,
     /// The instances at which something was seen to hold that depends on their sizes and was proved at

@@ -6,6 +6,7 @@
 
 mod admissible;
 mod after;
+mod as_printed;
 pub(crate) mod bounded;
 mod by_cases;
 mod cartesian;
@@ -53,6 +54,7 @@ use crate::functions::FunctionTable;
 use crate::model::Model;
 use crate::verdict::statement::StatementOutcome;
 use crate::verdict::{Contradiction, Outcome, Refutation, Verdict};
+use as_printed::Known;
 use hypotheses::Supposed;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -249,27 +251,51 @@ impl<'m> Checker<'m> {
         self.diagnostics.extend(failure.diagnostic());
     }
 
-    /// The outcomes of an equation's links, under the hypotheses that are printed around it.
+    /// The outcomes of an equation's links: of each as printed, where it holds so, and else with what was
+    /// corrected before.
     fn settle(&mut self, equation: usize) -> Vec<Outcome> {
+        let (known, corrected) = self.known_as_printed(equation);
+        let mut outcomes = self.settle_in_world(equation, known.clone());
+        for (outcome, known) in outcomes.iter_mut().zip(&known) {
+            let judged = match outcome.verdict {
+                Verdict::Holds { .. }
+                | Verdict::HoldsGiven(..)
+                | Verdict::Misprint { .. }
+                | Verdict::Refuted(_) => true,
+                Verdict::Undecided { .. }
+                | Verdict::Definition { .. }
+                | Verdict::Recalled { .. } => false,
+            };
+            if !matches!(known, Known::Held(_)) && judged {
+                outcome.corrected.clone_from(&corrected);
+            }
+        }
+        outcomes
+    }
+
+    /// The outcomes of an equation's links, under the hypotheses that are printed around it; some are known.
+    fn settle_in_world(&mut self, equation: usize, known: Vec<Known>) -> Vec<Outcome> {
         let model = self.model;
         let printed = &model.equations[equation];
-        if printed.assume.is_empty() {
-            return self.settle_links(equation, None);
+        let all_held = known.iter().all(|k| matches!(k, Known::Held(_)));
+        if printed.assume.is_empty() || all_held {
+            return self.settle_links(equation, None, known);
         }
         let supposed = self.bounded(|checker| checker.under_hypotheses(equation));
         let supposed = match supposed {
             Ok(supposed) => supposed,
             Err(exhausted) => {
-                return self.settle_links(equation, Some(self.words_of_exhaustion(exhausted)));
+                let words = self.words_of_exhaustion(exhausted);
+                return self.settle_links(equation, Some(words), known);
             }
         };
         match supposed {
             Err(unusable) => {
                 let reason = self.words_of(&unusable);
-                self.settle_links(equation, Some(&reason))
+                self.settle_links(equation, Some(&reason), known)
             }
             Ok(mut under) => {
-                let outcomes = under.settle_links(equation, None);
+                let outcomes = under.settle_links(equation, None, known);
                 self.learn(equation, under);
                 outcomes
             }
@@ -288,10 +314,15 @@ impl<'m> Checker<'m> {
         }
     }
 
-    fn settle_links(&mut self, equation: usize, unusable: Option<&str>) -> Vec<Outcome> {
-        let links = self.model.equations[equation].links.len();
-        (0..links)
-            .map(|l| self.outcome(equation, l, unusable))
+    fn settle_links(
+        &mut self,
+        equation: usize,
+        unusable: Option<&str>,
+        known: Vec<Known>,
+    ) -> Vec<Outcome> {
+        let links = known.into_iter().enumerate();
+        links
+            .map(|(l, known)| self.outcome_knowing(equation, l, unusable, known))
             .collect()
     }
 
@@ -317,14 +348,30 @@ impl<'m> Checker<'m> {
             }
         };
         let assumed = printed.settings.assume.iter().map(|text| text.text.clone());
-        let after = match &verdict {
-            Verdict::Misprint { .. } | Verdict::Refuted(_) => {
-                let before = before.as_ref().unwrap_or(&printed.display);
-                let after = self.bounded(|checker| checker.after(equation, l, before));
-                after.ok().flatten()
+        let (falls, holds) = match &verdict {
+            Verdict::Misprint { .. } | Verdict::Refuted(_) => (true, false),
+            Verdict::Holds { .. } | Verdict::HoldsGiven(..) => (false, true),
+            Verdict::Undecided { .. } | Verdict::Definition { .. } | Verdict::Recalled { .. } => {
+                (false, false)
             }
-            _ => None,
         };
+        let mut after = None;
+        if falls || holds {
+            let before = before.as_ref().unwrap_or(&printed.display);
+            let found = self.bounded(|checker| checker.after(equation, l, before));
+            // What holds as printed, too, needs no correction.
+            after = found.ok().flatten().filter(|a| falls || !a.true_as_printed);
+        }
+        let no_correction = matches!(verdict, Verdict::Refuted(_));
+        if no_correction && after.as_ref().is_some_and(|after| after.true_as_printed) {
+            // Nothing mends it beside the correction of a side: it stays what it is in print.
+            let mut there = self.as_printed(&[equation]);
+            there.options.repair = false;
+            there.tell = None;
+            let outcome = there.outcome(equation, l, unusable);
+            self.pool = there.pool;
+            return outcome;
+        }
         Outcome {
             equation,
             member: printed.links[l].member,
@@ -333,6 +380,7 @@ impl<'m> Checker<'m> {
             contradiction: self.contradiction.take(),
             positivity,
             after,
+            corrected: Vec::new(),
             assumed: assumed.collect(),
             sizes: None,
             instances: vec![self.instance],

@@ -103,7 +103,9 @@ impl Classes {
                 rates |= matches!(e.kind, ExprKind::Derivative { .. });
                 if let Some(name) = own_name(e) {
                     rates |= name.dots > 0;
-                    if !self.declared.contains(&name.letter.base) {
+                    // Of a function the unit of its argument is learnt, too.
+                    let applied = matches!(e.kind, ExprKind::Apply { .. });
+                    if applied || !self.declared.contains(&name.letter.base) {
                         found.insert(name.letter.base.clone());
                     }
                 }

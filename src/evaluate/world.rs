@@ -77,6 +77,13 @@ impl<'m, E> World<'m, E> {
         self
     }
 
+    /// The same where some equations stand as they are printed.
+    #[must_use]
+    pub fn as_printed(mut self, equations: &[usize]) -> Self {
+        Arc::make_mut(&mut self.corrections).retain(|equation, _| !equations.contains(equation));
+        self
+    }
+
     /// The same with the displays of another world in place of the printed ones.
     #[must_use]
     pub fn corrected_as<F>(mut self, other: &World<'m, F>) -> Self {

@@ -35,6 +35,7 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
             .then(Prose::joined(hypotheses, ", "))
             .words(" as assumed");
     }
+    line = line.then(with_corrections(audit, outcome));
     let instances = instances(audit, outcome);
     // What holds for any size says no sizes.
     let holds = matches!(
@@ -286,6 +287,23 @@ pub fn after(audit: &Audit, outcome: &Outcome) -> Prose {
         true => format!("true as printed, but {earlier} corrects a side of it; with that, "),
         false => format!("with the side that {earlier} corrects, "),
     })
+}
+
+/// `, with (8) as corrected`: what was judged so and does not hold as printed.
+fn with_corrections(audit: &Audit, outcome: &Outcome) -> Prose {
+    let label = |equation: usize| audit.model.equations[equation].label.clone();
+    let mut all: Vec<String> = outcome.corrected.iter().map(|e| label(*e)).collect();
+    let holds = matches!(
+        outcome.verdict,
+        Verdict::Holds { .. } | Verdict::HoldsGiven(..)
+    );
+    if let Some(after) = outcome.after.as_ref().filter(|_| holds) {
+        all.push(format!("{}.{}", label(outcome.equation), after.member));
+    }
+    match all.is_empty() {
+        true => Prose::new(),
+        false => Prose::of(format!(", with {} as corrected", labels(&all))),
+    }
 }
 
 /// `(47)`, `(47) and (49)`.

@@ -420,6 +420,16 @@ impl Writer<'_> {
             Fact::Functions(letters) => self
                 .letters(letters, ", ")
                 .words(" in it is no rational function of the letters"),
+            Fact::Corrected(equations) => {
+                let equations = equations
+                    .iter()
+                    .map(|e| &self.audit.model.equations[*e].label);
+                let equations: Vec<String> = equations.cloned().collect();
+                Prose::of(format!(
+                    "this is said with {} as corrected",
+                    crate::report::reason::labels(&equations)
+                ))
+            }
             Fact::Explicit(1, terms) => Prose::of(format!(
                 "it is a rational function of the letters, with {terms} terms"
             )),

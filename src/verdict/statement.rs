@@ -247,6 +247,8 @@ pub enum Fact {
     Explicit(usize, usize),
     /// Letters in it stand for functions that are not rational.
     Functions(Vec<usize>),
+    /// The equations that it was judged with as corrected: with what is printed it is not seen to be so.
+    Corrected(Vec<usize>),
 }
 
 /// The sign of a function as the product of the signs of its factors.

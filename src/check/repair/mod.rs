@@ -273,6 +273,10 @@ impl<'m> Checker<'m> {
             let Some((given, proof)) = self.proof_with(equation, link, &corrected, spent) else {
                 continue;
             };
+            if self.breaks_a_link(equation, link, [display, &corrected]) {
+                trial.empty += 1;
+                continue;
+            }
             match self.with_one_less(equation, link, &candidate, trial) {
                 Fewer::Needed => {}
                 Fewer::SaysNothing => {

@@ -22,6 +22,7 @@ mod value;
 
 use super::Checker;
 use super::admissible::Admissible;
+use super::stationary::PartialCovariance;
 use crate::document::{Predicate, VerdictWord};
 use crate::evaluate::{Failure, Origin, Value};
 use crate::expr::walk::visit;
@@ -101,6 +102,19 @@ impl Found {
         self
     }
 
+    /// What is said where it was found with equations as corrected, and something else as they are printed: what
+    /// holds as printed holds, and what is judged as corrected only says so.
+    fn or_as_printed(self, printed: Found, corrected: Vec<usize>) -> Self {
+        use VerdictWord as Word;
+        match (printed.word, self.word) {
+            (printed, own) if printed == own => self,
+            (Word::Holds, _) => printed,
+            (Word::Loose, Word::Refuted) => printed,
+            (_, Word::Undecided) => self,
+            _ => self.and([Fact::Corrected(corrected)]),
+        }
+    }
+
     fn and(mut self, facts: impl IntoIterator<Item = Fact>) -> Self {
         for fact in facts {
             if !self.facts.contains(&fact) {
@@ -136,16 +150,14 @@ impl Checker<'_> {
                 });
             }
             for (k, proposition) in statement.propositions.iter().enumerate() {
-                let found = self.bounded_in_all(|checker| {
-                    checker.proposition(proposition, &ground, &mut units)
-                });
-                let found = match found {
-                    Ok(Ok(found)) => self.where_it_exists(found, proposition, &ground, &partial),
-                    Ok(Err(failure)) => Found::undecided(self.reason_of(&failure)),
-                    Err(exhausted) => {
-                        Found::undecided(self.words_of_exhaustion(exhausted).to_string())
-                    }
-                };
+                let mut found = self.found(proposition, &ground, &mut units, &partial);
+                let corrected = self.corrected_behind(proposition.expressions(), None);
+                if !corrected.is_empty() {
+                    let mut there = self.as_printed(&corrected);
+                    let printed = there.found(proposition, &ground, &mut units, &partial);
+                    self.pool = there.pool;
+                    found = found.or_as_printed(printed, corrected);
+                }
                 debug_assert!(found.signs.iter().all(SignCertificate::verify));
                 outcomes.push(StatementOutcome {
                     statement: index,
@@ -162,6 +174,22 @@ impl Checker<'_> {
             }
         }
         outcomes
+    }
+
+    /// What is found of a proposition in this world.
+    fn found(
+        &mut self,
+        proposition: &Proposition,
+        ground: &Ground,
+        units: &mut Units,
+        partial: &[PartialCovariance],
+    ) -> Found {
+        let found = self.bounded_in_all(|checker| checker.proposition(proposition, ground, units));
+        match found {
+            Ok(Ok(found)) => self.where_it_exists(found, proposition, ground, partial),
+            Ok(Err(failure)) => Found::undecided(self.reason_of(&failure)),
+            Err(exhausted) => Found::undecided(self.words_of_exhaustion(exhausted).to_string()),
+        }
     }
 
     /// Whether a letter is the value of a function of others; the circle's constant is a number.
