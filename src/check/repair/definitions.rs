@@ -6,6 +6,7 @@
 //! explains more than the one claim; what passes is proved exactly.
 
 use super::super::Checker;
+use super::super::as_printed::Known;
 use super::super::edit::{self, Replacement};
 use super::super::identity::Decision;
 use super::evaluators::holds_modulo;
@@ -285,6 +286,12 @@ impl<'m> Checker<'m> {
             let Some(correction) = found else {
                 continue;
             };
+            let spoils = |(definition, display): &(usize, Display)| {
+                self.spoils(*definition, display, outcomes)
+            };
+            if correction.definition.as_ref().is_some_and(spoils) {
+                continue;
+            }
             self.adopt(printed);
             if let Some((definition, display)) = &correction.definition {
                 self.correct(*definition, display.clone());
@@ -304,6 +311,31 @@ impl<'m> Checker<'m> {
                 correction: Box::new(correction),
             };
         }
+    }
+
+    /// Whether something that rests on a definition and holds is false with this correction of it: equations were
+    /// asked, inequalities, limits and what holds under hypotheses were not.
+    fn spoils(&self, definition: usize, display: &Display, outcomes: &[Outcome]) -> bool {
+        let mut there = self.corrected(definition, display.clone());
+        there.options.repair = false;
+        there.tell = None;
+        let holds = |outcome: &&Outcome| {
+            matches!(
+                outcome.verdict,
+                Verdict::Holds { .. } | Verdict::HoldsGiven(..)
+            )
+        };
+        let mut resting = outcomes.iter().filter(holds).filter(|o| {
+            o.equation != definition && self.defining(o.equation).contains(&definition)
+        });
+        resting.any(|outcome| {
+            let links = self.model.equations[outcome.equation].links.len();
+            let found = there.settle_in_world(outcome.equation, vec![Known::Nothing; links]);
+            found.iter().any(|o| {
+                o.member == outcome.member
+                    && matches!(o.verdict, Verdict::Refuted(_) | Verdict::Misprint { .. })
+            })
+        })
     }
 
     /// Gives claims that were corrected on their own the correction of a definition that they rest
