@@ -94,7 +94,8 @@ impl<'r, 'm> Trial<'r, 'm> {
         point: u64,
     ) -> Trial<'r, 'm> {
         let (evaluator, exact, images) = checker.modulo_prime(point);
-        let functions = checker.model.functions.is_some();
+        // Derivatives, too, have no value modulo the prime: they are taken exactly.
+        let functions = checker.model.functions.is_some() || differentiates(display, link);
         let exact = functions.then_some((exact, images));
         let mut store = Store::new(display, evaluator, exact);
         let mut spots: Vec<Spot> = Vec::new();
@@ -216,6 +217,18 @@ fn constant_or_cases(display: &Display, link: &Link) -> bool {
                 found |= matches!(e.kind, ExprKind::Constant | ExprKind::Cases(_));
             });
         }
+    }
+    found
+}
+
+/// Whether something is differentiated in a side of a link, but for the dots of letters.
+fn differentiates(display: &Display, link: &Link) -> bool {
+    let sides = [link.left, link.right].into_iter();
+    let mut found = false;
+    for side in sides.filter_map(|place| place.find(display)) {
+        crate::expr::walk::visit(side, &mut |e| {
+            found |= matches!(e.kind, ExprKind::Derivative { .. });
+        });
     }
     found
 }

@@ -56,6 +56,8 @@ struct Container {
     /// and those before a minus sign.
     certain: usize,
     signed: Vec<usize>,
+    /// Where one of those between two operands is a narrow space.
+    narrow: Option<usize>,
     /// What a closing `\end` must become.
     environment: Option<Environment>,
 }
@@ -67,6 +69,7 @@ impl Container {
             columns: 0,
             certain: 0,
             signed: Vec::new(),
+            narrow: None,
             environment: None,
         }
     }
@@ -127,7 +130,7 @@ impl Resolver<'_> {
                         ..lexeme
                     });
                 }
-                Token::Symbol('&') => self.ampersand(lexeme),
+                Token::Symbol('&') => self.ampersand(position, lexeme),
                 Token::RowBreak => self.row_break(position, lexeme),
                 Token::Space(wide) => self.space(position, wide, lexeme),
                 _ => self.output.push(lexeme),
@@ -156,6 +159,19 @@ impl Resolver<'_> {
             self.diagnostics.push(Diagnostic::new(
                 DiagnosticKind::Ambiguous { readings },
                 self.output[first].span,
+            ));
+        }
+        if container.certain == 1
+            && container.signed.is_empty()
+            && let Some(only) = container.narrow
+        {
+            let readings = vec![
+                "a row of two entries, written with &".to_owned(),
+                "a product, written without the space".to_owned(),
+            ];
+            self.diagnostics.push(Diagnostic::new(
+                DiagnosticKind::Ambiguous { readings },
+                self.output[only].span,
             ));
         }
         container.environment
@@ -207,23 +223,31 @@ impl Resolver<'_> {
         }
     }
 
-    fn ampersand(&mut self, lexeme: Lexeme) {
+    fn ampersand(&mut self, position: usize, lexeme: Lexeme) {
         let at_display = self.containers.len() == 1;
         let enclosing = self.enclosing();
+        let between = self.between_columns(position);
         let container = self.top();
+        let separator = Lexeme {
+            token: Token::Symbol(';'),
+            ..lexeme.clone()
+        };
         match container.inside {
             Inside::Entries => self.output.push(lexeme),
-            Inside::Array => {}
             Inside::Lines if at_display => self.output.push(lexeme),
-            Inside::Lines => {
-                container.columns += 1;
+            Inside::Lines | Inside::Array => {
+                let lines = container.inside == Inside::Lines;
+                container.columns += usize::from(lines);
                 // Columns come in pairs: right-aligned, left-aligned. Every second `&` stands
                 // between two equations.
-                if container.columns.is_multiple_of(2) {
-                    self.output.push(Lexeme {
-                        token: Token::Symbol(';'),
-                        ..lexeme
-                    });
+                if lines && container.columns.is_multiple_of(2) || between == Some(true) {
+                    self.output.push(separator);
+                } else if between == Some(false) {
+                    let readings = vec!["two columns".to_owned(), "a product".to_owned()];
+                    self.diagnostics.push(Diagnostic::new(
+                        DiagnosticKind::Ambiguous { readings },
+                        lexeme.span,
+                    ));
                 }
             }
             Inside::Square | Inside::Bracket => {
@@ -232,6 +256,90 @@ impl Resolver<'_> {
                 }
             }
         }
+    }
+
+    /// Whether a column between two operands stands between two equations; none where it stands elsewhere.
+    fn between_columns(&self, position: usize) -> Option<bool> {
+        let blank = |token: &Token| matches!(token, Token::Space(_));
+        let before = self.input[..position].iter().rev();
+        let previous = before.map(|l| &l.token).find(|token| !blank(token))?;
+        let next = self.following(position)?;
+        if !ends_operand(previous) || !starts_operand(next) || matches!(next, Token::Text(_)) {
+            return None;
+        }
+        let (before, after) = (
+            self.is_related(position, false),
+            self.is_related(position, true),
+        );
+        // A long product may go on in the next column with its bracket.
+        let goes_on = before && !after && matches!(next, Token::Open(_));
+        (!goes_on).then_some(before && after)
+    }
+
+    /// Whether a relation stands between a place and the next end of its column, forwards or backwards, outside of
+    /// brackets.
+    fn is_related(&self, position: usize, forwards: bool) -> bool {
+        let mut at = position;
+        loop {
+            let next = match forwards {
+                true => at.checked_add(1),
+                false => at.checked_sub(1),
+            };
+            let Some(token) = next.and_then(|n| Some(&self.input.get(n)?.token)) else {
+                return false;
+            };
+            at = next.unwrap_or_default();
+            match token {
+                Token::RowBreak | Token::Symbol(',' | ';') => return false,
+                Token::Symbol('&') if forwards => {
+                    // A relation may stand right behind the alignment.
+                    return self.following(at).is_some_and(is_relation);
+                }
+                Token::Open(_) | Token::Begin(_) if forwards => at = self.partner[at],
+                Token::Close(_) | Token::End(_) if !forwards => at = self.partner[at],
+                Token::Open(_) | Token::Begin(_) | Token::Close(_) | Token::End(_) => return false,
+                token if is_relation(token) => return true,
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether the line that begins with a sign behind this break is an equation of its own: it has a relation,
+    /// which is aligned. Without alignment it may as well go on what stands before, and is asked about.
+    fn begins_with_a_sign(&mut self, position: usize) -> bool {
+        let sign = self.next[position];
+        let aligned_before = self.input[position + 1..sign]
+            .iter()
+            .any(|l| l.token == Token::Symbol('&'));
+        let signed = matches!(
+            self.input.get(sign).map(|l| &l.token),
+            Some(Token::Symbol('-' | '+'))
+        );
+        if !signed || aligned_before || !self.is_related(sign, true) {
+            return false;
+        }
+        let mut at = sign + 1;
+        let mut aligned = false;
+        while let Some(lexeme) = self.input.get(at) {
+            match &lexeme.token {
+                Token::Open(_) | Token::Begin(_) => at = self.partner[at],
+                Token::Symbol('&') => aligned = true,
+                token if is_relation(token) => break,
+                _ => {}
+            }
+            at += 1;
+        }
+        if !aligned {
+            let readings = vec![
+                "an equation of its own, with a comma before it".to_owned(),
+                "what the line before goes on with, with & before the sign".to_owned(),
+            ];
+            self.diagnostics.push(Diagnostic::new(
+                DiagnosticKind::Ambiguous { readings },
+                self.input[sign].span,
+            ));
+        }
+        true
     }
 
     /// The next lexeme that is neither space nor alignment.
@@ -262,7 +370,10 @@ impl Resolver<'_> {
                             || is_operator(next) && !is_punctuation(previous)
                     }
                 };
-                if !continues {
+                let own = continues
+                    && previous.is_some_and(ends_operand)
+                    && self.begins_with_a_sign(position);
+                if !continues || own {
                     self.output.push(lexeme);
                 }
             }
@@ -281,13 +392,31 @@ impl Resolver<'_> {
                 .get(self.next[position] + 1)
                 .is_some_and(|after| starts_operand(&after.token))
         };
+        let doubtful = wide
+            && ended
+            && negative
+            && self.is_related(self.next[position], true)
+            && self.is_related(position, false);
         let here = self.output.len();
         let container = self.top();
         match container.inside {
             Inside::Lines | Inside::Array if wide && ended && starts => self.output.push(lexeme),
+            Inside::Lines | Inside::Array if doubtful => {
+                let readings = vec![
+                    "an equation of its own, with a comma before it".to_owned(),
+                    "a difference".to_owned(),
+                ];
+                self.diagnostics.push(Diagnostic::new(
+                    DiagnosticKind::Ambiguous { readings },
+                    self.input[self.next[position]].span,
+                ));
+            }
             Inside::Square if ended && (starts || negative) => {
                 if starts {
                     container.certain += 1;
+                    if !wide {
+                        container.narrow = Some(here);
+                    }
                 } else {
                     container.signed.push(here);
                 }
