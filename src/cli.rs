@@ -447,17 +447,26 @@ fn errata(arguments: &ErrataArguments, watch: &Terminal) -> io::Result<u8> {
     Ok(if rejected > 0 { 3 } else { 0 })
 }
 
+/// The longest JSON of verdicts that is read, in bytes.
+const LARGEST_RECORD: usize = 256 << 20;
+
 fn diff(arguments: &DiffArguments) -> io::Result<u8> {
     let read = |path: &Path| {
-        let text = std::fs::read_to_string(path);
-        text.map_err(|e| e.to_string())
-            .and_then(|text| Recorded::read(&text))
-            .map_err(|why| io::Error::other(format!("{}: {why}", path.display())))
+        let text = crate::document::bytes_of(path, LARGEST_RECORD)
+            .map_err(|e| e.to_string())
+            .and_then(|bytes| match bytes.len() > LARGEST_RECORD {
+                true => Err(format!("longer than {LARGEST_RECORD} bytes")),
+                false => String::from_utf8(bytes).map_err(|e| e.to_string()),
+            });
+        text.and_then(|text| Recorded::read(&text)).map_err(|why| {
+            let name = path.display().to_string();
+            io::Error::other(format!("{}: {why}", printable_line(&name)))
+        })
     };
     let changes = difference::changes(&read(&arguments.old)?, &read(&arguments.new)?);
     let mut out = io::stdout().lock();
     for change in &changes {
-        writeln!(out, "{change}")?;
+        writeln!(out, "{}", printable_line(&change.to_string()))?;
     }
     out.flush()?;
     Ok(u8::from(!changes.is_empty()))
@@ -491,5 +500,8 @@ fn width(terminal: bool) -> Option<u16> {
     if !terminal {
         return None;
     }
-    comfy_table::Table::new().width()
+    // A terminal that does not tell its width is no narrow one.
+    comfy_table::Table::new()
+        .width()
+        .filter(|width| *width >= 20)
 }

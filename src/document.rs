@@ -17,9 +17,9 @@ mod statement;
 mod symbols;
 mod table;
 
-/// The bytes of a file, a few more than a document may have at most. What is no file of its own, such as a
-/// pipe or a device, may have no end, or nobody who writes to it.
-fn bytes_of(path: &Path) -> std::io::Result<Vec<u8>> {
+/// The bytes of a file, one more than so many at most. What is no file of its own, such as a pipe or a
+/// device, may have no end, or nobody who writes to it.
+pub(crate) fn bytes_of(path: &Path, limit: usize) -> std::io::Result<Vec<u8>> {
     use std::io::{Error, Read};
     let metadata = std::fs::metadata(path)?;
     if metadata.is_dir() {
@@ -30,11 +30,10 @@ fn bytes_of(path: &Path) -> std::io::Result<Vec<u8>> {
             "this is a pipe or a device; write the text to a file",
         ));
     }
-    let most = metadata.len().min(LARGEST_DOCUMENT as u64);
+    let most = metadata.len().min(limit as u64);
     let mut bytes = Vec::with_capacity(most as usize);
     let file = std::fs::File::open(path)?;
-    file.take(LARGEST_DOCUMENT as u64 + 1)
-        .read_to_end(&mut bytes)?;
+    file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -125,13 +124,13 @@ pub struct Document {
 impl Document {
     /// Reads a file.
     pub fn read(path: &Path) -> Result<Document, Rejection> {
-        let name = path.display().to_string();
+        let name = diagnostic::printable_line(&path.display().to_string()).into_owned();
         let reject = |text: String, kind, span| Rejection {
             name: name.clone(),
             text,
             diagnostics: vec![Diagnostic::new(kind, span)],
         };
-        let bytes = bytes_of(path).map_err(|error| {
+        let bytes = bytes_of(path, LARGEST_DOCUMENT).map_err(|error| {
             let kind = DiagnosticKind::Unreadable {
                 message: error.to_string(),
             };

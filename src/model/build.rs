@@ -469,7 +469,16 @@ impl Builder {
             return Vec::new();
         };
         let mut found = Vec::new();
-        for clause in &display.clauses {
+        let mut complete = true;
+        for (k, clause) in display.clauses.iter().enumerate() {
+            // All of them are supposed: one of several is not, nor is one under the condition of another.
+            let joined = clause.joined.as_deref();
+            if joined.is_some_and(|word| k == 0 || !matches!(word, "and" | "with" | "where")) {
+                let found = format!("`{}`", joined.unwrap_or_default());
+                let expected = "hypotheses that all hold, joined by commas or `and`".into();
+                self.error(DiagnosticKind::Unexpected { found, expected }, text.span);
+            }
+            complete &= !clause.chain.relations.is_empty();
             let members = &clause.chain.members;
             for (sides, relation) in members.windows(2).zip(&clause.chain.relations) {
                 if let [left, right] = sides {
@@ -492,7 +501,7 @@ impl Builder {
             | Relation::GreaterEqual => true,
             Relation::Distributed | Relation::Approximately | Relation::Tends => false,
         };
-        if found.is_empty() || !found.iter().all(meant) {
+        if found.is_empty() || !complete || !found.iter().all(meant) {
             self.error(
                 DiagnosticKind::Unexpected {
                     found: text.text.clone(),

@@ -88,12 +88,16 @@ pub(super) struct Store<'m> {
     of_text: HashMap<Rc<str>, usize>,
     indices: BTreeSet<String>,
     envs: Vec<Vec<(String, i64)>>,
+    env_of: HashMap<Vec<(String, i64)>, Env>,
     closed: Vec<Option<Residue>>,
     open: HashMap<(Id, Env), Residue>,
     /// From which node on values are what a candidate costs; those before are the print's.
     own: Id,
     steps: u64,
 }
+
+/// Steps for each value of a running index, beside those of the term.
+const RUNNING: u64 = 20;
 
 impl<'m> Store<'m> {
     /// An empty store for the expressions of a display.
@@ -121,6 +125,7 @@ impl<'m> Store<'m> {
             of_text: HashMap::new(),
             indices,
             envs: vec![Vec::new()],
+            env_of: HashMap::from([(Vec::new(), 0)]),
             closed: Vec::new(),
             open: HashMap::new(),
             own: 0,
@@ -182,13 +187,13 @@ impl<'m> Store<'m> {
 
     /// The assignment of these indices.
     pub fn env(&mut self, indices: &[(String, i64)]) -> Env {
-        match self.envs.iter().position(|e| e == indices) {
-            Some(env) => env,
-            None => {
-                self.envs.push(indices.to_vec());
-                self.envs.len() - 1
-            }
+        if let Some(env) = self.env_of.get(indices) {
+            return *env;
         }
+        let env = self.envs.len();
+        self.envs.push(indices.to_vec());
+        self.env_of.insert(indices.to_vec(), env);
+        env
     }
 
     /// What a node is made of.
@@ -390,6 +395,7 @@ impl<'m> Store<'m> {
         let index = latex::canonical(index);
         let mut sum = Value::Zero;
         for k in from..=to {
+            self.charge(RUNNING);
             let mut inner = bound.clone();
             inner.push((index.clone(), k));
             let inner = self.env(&inner);

@@ -10,6 +10,9 @@ use crate::latex::vocabulary::{self, Environment};
 use num_rational::BigRational;
 use num_traits::One;
 
+/// The longest equation, in letters, numbers and signs.
+const LONGEST_CLAUSE: usize = 20_000;
+
 impl Parser<'_> {
     /// All clauses of the display.
     pub(in crate::latex) fn display(&mut self) -> Parse<Vec<Clause>> {
@@ -262,6 +265,7 @@ impl Parser<'_> {
         self.skip_separators();
         let joined = self.joined.take();
         let separation = std::mem::take(&mut self.separation);
+        self.bounded_clause()?;
         let chain = self.chain()?;
         if let Some(range) = self.range(&chain)? {
             return match clauses.last_mut() {
@@ -296,6 +300,31 @@ impl Parser<'_> {
             remark,
         });
         Ok(())
+    }
+
+    /// Refuses what nobody printed as one equation before it takes room as a tree.
+    fn bounded_clause(&self) -> Parse<()> {
+        let start = self.position;
+        let mut end = start;
+        while let Some(lexeme) = self.lexemes.get(end) {
+            match &lexeme.token {
+                Token::Open(_) | Token::Begin(_) => end = self.partner[end],
+                Token::Close(_) | Token::End(_) => break,
+                token if Self::is_separator(token) => break,
+                _ => {}
+            }
+            end += 1;
+        }
+        let size = end - start;
+        if size <= LONGEST_CLAUSE {
+            return Ok(());
+        }
+        let kind = DiagnosticKind::TooLong {
+            what: "an equation",
+            size,
+            limit: LONGEST_CLAUSE,
+        };
+        Err(self.error(kind, self.lexemes[start].span))
     }
 
     /// Refuses a comma between digits, and a full stop before something, that no blank follows:
