@@ -107,7 +107,7 @@ fn length_is_no_obstacle() {
         ),
         format!("a {} = b", long("\\ \\quad ")),
         format!("a = b{}", long(", a = b")),
-        format!("a{}", long("'")),
+        format!("a{}", one("'")),
     ] {
         assert!(parse_display(&text, 0, &signature).is_ok(), "{:.40}", text);
     }
