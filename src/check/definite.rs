@@ -329,6 +329,8 @@ impl Checker<'_> {
             return Ok(self.stable(&matrix, upper)?.map(|signs| vec![signs]));
         }
         let field = self.model.field();
+        // Only what is itself compared with zero is a form: 1 + p^2 > 1 says what it says.
+        let beside_zero = lower.as_number().is_some_and(Zero::is_zero);
         let sides = sides_of(&mut self.exact, display, link, upper.span)?;
         let cases = sides.len() > 1 && display_has_cases(&sides);
         let mut several = Vec::new();
@@ -347,7 +349,7 @@ impl Checker<'_> {
                 Value::Matrix(m) if m.is_square() => m,
                 Value::Matrix(_) => return Ok(Err(undecided("a matrix that is not square"))),
             };
-            match self.signs_of_form(matrix, strict) {
+            match self.signs_of_form(matrix, strict, beside_zero) {
                 Ok(signs) => several.push(Signs {
                     in_case: cases,
                     indices,
@@ -364,6 +366,7 @@ impl Checker<'_> {
         &mut self,
         matrix: Matrix<RationalFunction>,
         strict: bool,
+        beside_zero: bool,
     ) -> Result<Signs, Verdict> {
         let field = self.model.field();
         if let Some(refutation) = self.asymmetry(&matrix) {
@@ -374,7 +377,7 @@ impl Checker<'_> {
             .then(|| self.gram_matrix(&matrix[(0, 0)]))
             .flatten()
             // `> 0` of rates means "unless all stand still"; of the processes themselves it means what it says.
-            .filter(|_| !strict || self.is_of_rates(&matrix[(0, 0)]));
+            .filter(|_| !strict || beside_zero && self.is_of_rates(&matrix[(0, 0)]));
         let form = gram.is_some();
         let matrix = gram.unwrap_or(matrix);
         if let Some(name) = self.declared_definite(&matrix) {
