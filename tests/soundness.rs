@@ -31,6 +31,8 @@ mod monotone;
 mod one_case;
 #[path = "soundness/places.rs"]
 mod places;
+#[path = "soundness/prints.rs"]
+mod prints;
 #[path = "soundness/readings.rs"]
 mod readings;
 #[path = "soundness/says.rs"]
