@@ -7,6 +7,8 @@ mod admitted;
 mod arms;
 #[allow(dead_code)]
 mod common;
+#[path = "soundness/corrected.rs"]
+mod corrected;
 #[path = "soundness/corrections.rs"]
 mod corrections;
 #[path = "soundness/dots.rs"]
