@@ -119,6 +119,7 @@ impl Checker<'_> {
                         budget: 1,
                         others: Vec::new(),
                         preferred: None,
+                        unjudged: 0,
                         alternatives: Vec::new(),
                         rejected: Vec::new(),
                     }),

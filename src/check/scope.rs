@@ -145,6 +145,7 @@ impl Checker<'_> {
                 budget: tried,
                 others: Vec::new(),
                 preferred: None,
+                unjudged: 0,
                 alternatives,
                 rejected: Vec::new(),
             }),

@@ -544,7 +544,7 @@ impl Writer<'_> {
             edits: edits(&correction.edits),
             corrected: equation_of(&correction.display, link),
             given: correction.given.as_ref().map(|g| self.relations(g)),
-            only: correction.alternatives.is_empty(),
+            only: correction.alternatives.is_empty() && correction.unjudged == 0,
             cost: correction.cost,
             changed: correction
                 .changed

@@ -631,6 +631,10 @@ pub fn uniqueness(correction: &Correction) -> String {
         format!(", and the one {}", preferred_as(preferred))
     });
     match correction.alternatives.len() {
+        0 if correction.unjudged > 0 => format!(
+            "a correction at this cost{because} among {tried} tried, {} of which could not be judged",
+            correction.unjudged
+        ),
         0 => format!("the only correction at this cost{because} among {tried} tried"),
         n => format!(
             "one of {} corrections at this cost{because} among {tried} tried",

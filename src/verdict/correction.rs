@@ -125,6 +125,9 @@ pub struct Correction {
     pub tried: usize,
     /// How many would have been at most.
     pub budget: usize,
+    /// How many candidates that cost no more could not be judged: where there are any, nobody knows whether it
+    /// is the only one.
+    pub unjudged: usize,
     /// Other corrections at the same cost.
     pub alternatives: Vec<Vec<Edit>>,
     /// All other corrections that were proved, these among them, the cheapest first.

@@ -57,6 +57,33 @@ fn head(expr: &Expr) -> String {
     latex::write_expr(&empty)
 }
 
+/// The expression without factors, divisors and exponents 1.
+pub fn without_units(expr: &Expr) -> Expr {
+    let one = |e: &Expr| number(e).is_some_and(One::is_one);
+    let mut bare = expr.clone();
+    for part in crate::expr::walk::children_mut(&mut bare) {
+        *part = without_units(part);
+    }
+    let kept = match &mut bare.kind {
+        ExprKind::Quotient {
+            numerator,
+            denominator,
+            ..
+        } if one(denominator) => Some((**numerator).clone()),
+        ExprKind::Power { base, exponent } if one(exponent) => Some((**base).clone()),
+        ExprKind::Product(factors) if factors.len() > 1 => {
+            factors.retain(|f| !one(f));
+            match factors.as_slice() {
+                [] => Some(Expr::new(ExprKind::Number(BigRational::one()), expr.span)),
+                [only] => Some(only.clone()),
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    kept.unwrap_or(bare)
+}
+
 /// What a side is about where it is one name but for a number, a sign, an exponent, a transposition.
 pub fn subject(side: &Expr) -> Option<&Name> {
     match &side.kind {

@@ -228,6 +228,7 @@ impl<'m> Checker<'m> {
             proof,
             tried,
             budget: limit.tried,
+            unjudged: 0,
             alternatives,
             others: Vec::new(),
             preferred,

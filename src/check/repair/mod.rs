@@ -271,6 +271,10 @@ impl<'m> Checker<'m> {
             }
             let spent = &mut trial.spent.work;
             let Some((given, proof)) = self.proof_with(equation, link, &corrected, spent) else {
+                // What agrees modulo the prime is true but for values at other indices, or not seen to be.
+                if self.model.functions.is_some() {
+                    trial.unjudged.push(candidate.cost);
+                }
                 continue;
             };
             if self.breaks_a_link(equation, link, [display, &corrected]) {
@@ -340,7 +344,12 @@ impl<'m> Checker<'m> {
                 changed.push(side);
             }
         }
+        let as_cheap = trial
+            .unjudged
+            .iter()
+            .filter(|c| **c <= first.candidate.cost);
         let correction = Correction {
+            unjudged: as_cheap.count(),
             edits,
             display: first.display,
             definition: None,

@@ -60,7 +60,8 @@ pub(super) fn emptied(
     let before = sides(printed, link)?;
     let after = sides(corrected, link)?;
     let several = candidate.steps.len() > 1;
-    if written::arranged(after[0]) == written::arranged(after[1]) {
+    let bare = after.map(written::without_units);
+    if written::arranged(&bare[0]) == written::arranged(&bare[1]) {
         return Some(Emptied::Tautology);
     }
     if restated::only_constants(model, &before, &after) {
@@ -211,6 +212,13 @@ fn by_values(
     let vanish = after.map(|side| trial.is(side, Worth::Zero));
     let claims_zero = vanished.contains(&true);
     if vanish == [true, true] && !claims_zero {
+        return Some(Emptied::Vanishing);
+    }
+    // 1 = 1, whatever letters are still written.
+    let ones = |trial: &mut Trial<'_, '_>, sides: &[&Expr; 2]| {
+        sides.iter().all(|side| trial.is(side, Worth::One))
+    };
+    if ones(trial, after) && !before.iter().any(|side| trial.is(side, Worth::One)) {
         return Some(Emptied::Vanishing);
     }
     for (k, side) in after.iter().enumerate() {

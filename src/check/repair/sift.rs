@@ -119,7 +119,10 @@ impl<'m> Trial<'_, 'm> {
         };
         let mut open = of(Some(true));
         let certain = open.len();
-        open.extend(of(None).into_iter().take(SLOW));
+        let mut unknown = of(None).into_iter();
+        open.extend(unknown.by_ref().take(SLOW));
+        let left: Vec<u32> = unknown.map(|k| candidate(k).cost).collect();
+        self.unjudged.extend(left);
         self.sift(&open, certain, candidate)
     }
 
@@ -158,6 +161,10 @@ impl<'m> Trial<'_, 'm> {
         }
         // Where the print itself has functions without an image: exactly, one by one.
         let blind = self.blind;
+        if !blind {
+            let costs = unknown.iter().map(|k| candidate(*k).cost);
+            self.unjudged.extend(costs);
+        }
         if let Some(exact) = self.exact.as_mut().filter(|_| blind) {
             let left = self.limit.work.saturating_sub(self.spent.work);
             let mut steps = 0;

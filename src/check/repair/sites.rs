@@ -58,6 +58,8 @@ pub(super) struct Trial<'r, 'm> {
     pub all: usize,
     /// How many candidates make the sides agree and say less than the print.
     pub empty: usize,
+    /// What candidates cost that could not be judged: they have no value, or no proof was found.
+    pub unjudged: Vec<u32>,
 }
 
 /// At how many points of functions the sides as printed are tried before it is said that they have no
@@ -169,6 +171,7 @@ impl<'r, 'm> Trial<'r, 'm> {
             limit,
             all: 0,
             empty: 0,
+            unjudged: Vec::new(),
         };
         let sides = trial.sides();
         let mut first = None;
