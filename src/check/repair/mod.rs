@@ -30,6 +30,7 @@ mod work;
 use super::Checker;
 use super::edit::{self, Replacement};
 use super::identity::Decision;
+use crate::evaluate::FailureKind;
 use crate::expr::Display;
 use crate::functions::FunctionTable;
 use crate::latex;
@@ -132,6 +133,15 @@ enum Fewer {
     SaysNothing,
     /// One less mends it.
     Enough(Box<Proved>),
+}
+
+/// Why a candidate has no proof.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Unproved {
+    /// It is false, or has no value.
+    False,
+    /// Nobody knows.
+    Open,
 }
 
 /// A correction that was proved.
@@ -270,12 +280,14 @@ impl<'m> Checker<'m> {
                 continue;
             }
             let spent = &mut trial.spent.work;
-            let Some((given, proof)) = self.proof_with(equation, link, &corrected, spent) else {
-                // What agrees modulo the prime is true but for values at other indices, or not seen to be.
-                if self.model.functions.is_some() {
-                    trial.unjudged.push(candidate.cost);
+            let (given, proof) = match self.proof_with(equation, link, &corrected, spent) {
+                Ok(proved) => proved,
+                Err(unproved) => {
+                    if unproved == Unproved::Open {
+                        trial.unjudged.push(candidate.cost);
+                    }
+                    continue;
                 }
-                continue;
             };
             if self.breaks_a_link(equation, link, [display, &corrected]) {
                 trial.empty += 1;
@@ -377,14 +389,14 @@ impl Checker<'_> {
         link: &Link,
         display: &Display,
         spent: &mut u64,
-    ) -> Option<(Option<Given>, Proof)> {
+    ) -> Result<(Option<Given>, Proof), Unproved> {
         let table = self.functions().cloned();
         let given_out = table.as_ref().map(FunctionTable::given_out);
         let mut mended = self.corrected(equation, display.clone());
         let proof = mended.bounded(|checker| checker.proof_of(equation, link, spent));
         drop(mended);
-        let proof = proof.ok().flatten();
-        if let (None, Some(table), Some(count)) = (&proof, table, given_out) {
+        let proof = proof.unwrap_or(Err(Unproved::Open));
+        if let (Err(_), Some(table), Some(count)) = (&proof, table, given_out) {
             table.take_back(count);
         }
         proof
@@ -411,7 +423,7 @@ impl Checker<'_> {
             };
             let display = edited(trial.display, &fewer.steps);
             let spent = &mut trial.spent.work;
-            let Some((given, proof)) = self.proof_with(equation, link, &display, spent) else {
+            let Ok((given, proof)) = self.proof_with(equation, link, &display, spent) else {
                 continue;
             };
             if given.is_some() {
@@ -439,20 +451,30 @@ impl Checker<'_> {
         equation: usize,
         link: &Link,
         spent: &mut u64,
-    ) -> Option<(Option<Given>, Proof)> {
-        let entries = self.sides(equation, link).ok()?;
+    ) -> Result<(Option<Given>, Proof), Unproved> {
+        let entries = self
+            .sides(equation, link)
+            .map_err(|failure| match failure.kind {
+                FailureKind::Unsupported { .. }
+                | FailureKind::Budget { .. }
+                | FailureKind::Exhausted { .. } => Unproved::Open,
+                _ => Unproved::False,
+            })?;
         let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
         *spent += PROOF + work::exact(values);
         match self.decide_true(&entries, equation) {
             Ok(Decision::Holds(by)) => {
-                let proof = self.proved(equation, link, &entries, &by, None)?;
-                Some((None, proof))
+                let proof = self.proved(equation, link, &entries, &by, None);
+                Ok((None, proof.ok_or(Unproved::Open)?))
             }
             Ok(Decision::HoldsGiven(by, given)) => {
-                let proof = self.proved(equation, link, &[], &by, Some(&given))?;
-                Some((Some(given), proof))
+                let proof = self.proved(equation, link, &[], &by, Some(&given));
+                Ok((Some(given), proof.ok_or(Unproved::Open)?))
             }
-            Ok(Decision::Follows(..) | Decision::Refuted(_) | Decision::False(..)) | Err(_) => None,
+            Ok(Decision::Refuted(_)) => Err(Unproved::False),
+            // Without functions the residual decides.
+            Ok(Decision::False(..)) if self.model.functions.is_none() => Err(Unproved::False),
+            Ok(Decision::Follows(..) | Decision::False(..)) | Err(_) => Err(Unproved::Open),
         }
     }
 }
