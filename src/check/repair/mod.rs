@@ -462,6 +462,9 @@ impl Checker<'_> {
             })?;
         let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
         *spent += PROOF + work::exact(values);
+        let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
+        let mut letters = super::identity::letters_of(values).into_iter();
+        let rational = !letters.any(|letter| self.is_function(letter));
         match self.decide_true(&entries, equation) {
             Ok(Decision::Holds(by)) => {
                 let proof = self.proved(equation, link, &entries, &by, None);
@@ -473,7 +476,7 @@ impl Checker<'_> {
             }
             Ok(Decision::Refuted(_)) => Err(Unproved::False),
             // Without functions the residual decides.
-            Ok(Decision::False(..)) if self.model.functions.is_none() => Err(Unproved::False),
+            Ok(Decision::False(..)) if rational => Err(Unproved::False),
             Ok(Decision::Follows(..) | Decision::False(..)) | Err(_) => Err(Unproved::Open),
         }
     }
