@@ -9,6 +9,9 @@ use crate::model::links::Place;
 use crate::progress::interrupted;
 use ratpoly::allowance;
 
+/// How many candidates without an image are evaluated exactly where the print has one.
+const FEW: usize = 60;
+
 /// How many candidates the slow filter looks at.
 const SLOW: usize = 20_000;
 
@@ -159,20 +162,18 @@ impl<'m> Trial<'_, 'm> {
                 Passing::Differs => {}
             }
         }
-        // Where the print itself has functions without an image: exactly, one by one.
-        let blind = self.blind;
-        if !blind {
-            let costs = unknown.iter().map(|k| candidate(*k).cost);
-            self.unjudged.extend(costs);
-        }
-        if let Some(exact) = self.exact.as_mut().filter(|_| blind) {
-            let left = self.limit.work.saturating_sub(self.spent.work);
-            let mut steps = 0;
-            for k in unknown.into_iter().take(EXACTLY) {
+        // Exactly, one by one: all that can be where the print itself has functions without an image, and a
+        // few where it has none.
+        let most = if self.blind { EXACTLY } else { FEW };
+        let left = self.limit.work.saturating_sub(self.spent.work);
+        let (mut steps, mut judged) = (0, 0);
+        if let Some(exact) = self.exact.as_mut() {
+            for k in unknown.iter().take(most) {
                 if steps >= left || interrupted() {
                     break;
                 }
-                let candidate = candidate(k);
+                judged += 1;
+                let candidate = candidate(*k);
                 let display = edited(self.display, &candidate.steps);
                 let (agree, cost) = exact.agree(&display, self.link);
                 steps += cost;
@@ -182,6 +183,8 @@ impl<'m> Trial<'_, 'm> {
             }
             self.spent.work += steps;
         }
+        let costs = unknown.iter().skip(judged).map(|k| candidate(*k).cost);
+        self.unjudged.extend(costs);
         passing
     }
 
