@@ -13,7 +13,7 @@ use super::edit::{Address, Change, Replacement};
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
-use crate::expr::walk::{children, children_mut, mentions};
+use crate::expr::walk::{children, mentions, varied_name};
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::FunctionTable;
 use crate::model::links::{Link, Place};
@@ -147,8 +147,11 @@ impl Checker<'_> {
         let display = self.exact.display(equation).clone();
         let approach = self.approach(&display, link).ok().flatten();
         let moved = approach.as_ref().and_then(|approach| {
-            let mut moving = link.left.find(&display)?.clone();
-            set_moving(&mut moving, approach);
+            let printed = link.left.find(&display)?;
+            let moving = match self.exact.expression_without_cases(printed) {
+                Err(failure) if failure.is_without_value() => self.moved(printed, approach)?,
+                Ok(_) | Err(_) => printed.clone(),
+            };
             let letter = self.model.letter_of_symbol(approach.symbol, 0)?;
             match self.exact.expression_without_cases(&moving).ok()? {
                 Value::Scalar(value) => Some((self.spelt_out(&value)?, letter)),
@@ -287,20 +290,61 @@ impl Checker<'_> {
                 Value::Matrix(_) => return Err(unsupported("a limit of a matrix")),
             },
         };
-        let mut moving = left.clone();
-        if let Some(approach) = approach {
-            let elsewhere = set_moving(&mut moving, approach);
-            if elsewhere && !mentions(&moving, &approach.letter) {
-                return Ok(Found::False(Shown::Structure(Structure::Elsewhere)));
-            }
-        }
         let ways = match approach {
             Some(approach) => Some(self.ways(approach)?),
             None => None,
         };
+        let ways = ways.as_ref();
+        let before = self.exact.conditions.clone();
+        let printed = self.judged_reading(left, &goal, approach, ways);
+        let Some(approach) = approach else {
+            return printed;
+        };
+        let Some(moving) = self.moved(left, approach) else {
+            let still = !mentions(left, &approach.letter);
+            return match printed {
+                Err(failure)
+                    if failure.is_without_value()
+                        && still
+                        && is_elsewhere(left, &approach.goal) =>
+                {
+                    Ok(Found::False(Shown::Structure(Structure::Elsewhere)))
+                }
+                printed => printed,
+            };
+        };
+        if printed.as_ref().is_err_and(Failure::is_without_value) {
+            self.exact.conditions = before;
+        }
+        let read = self.judged_reading(&moving, &goal, Some(approach), ways);
+        // What has a value at its goal may be meant as this value; then both must say the same.
+        match (printed, read) {
+            (Err(failure), read) if failure.is_without_value() => read,
+            (Ok(Found::True(mut conditions)), Ok(Found::True(more))) => {
+                conditions.extend(more);
+                Ok(Found::True(conditions))
+            }
+            (Ok(Found::False(shown)), Ok(Found::False(_))) => Ok(Found::False(shown)),
+            (Err(failure), _) => Err(failure),
+            (Ok(_), _) => Err(unsupported(
+                "a limit whose goal is an argument, which may be meant to move,",
+            )),
+        }
+    }
+
+    /// Whether the statement is true of one reading of what has the limit.
+    fn judged_reading(
+        &mut self,
+        moving: &Expr,
+        goal: &Printed,
+        approach: Option<&Approach>,
+        ways: Option<&Vec<Way>>,
+    ) -> Result<Found, Failure> {
+        let missing = || Failure::unsupported("a link without its sides", Default::default());
+        let unsupported = |what: &str| Failure::unsupported(what, moving.span);
         let mut found: Vec<Result<Found, Failure>> = Vec::new();
         let cases = loop {
-            let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(&moving);
+            let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(moving);
             let before = std::mem::take(&mut self.exact.conditions);
             let (value, cases) = self.exact.in_case(found.len(), value);
             let met = std::mem::replace(&mut self.exact.conditions, before);
@@ -334,7 +378,7 @@ impl Checker<'_> {
                 Ok(Value::Matrix(_)) => return Err(unsupported("a limit of a matrix")),
                 Ok(Value::Zero) => {
                     let zero = RationalFunction::zero(self.model.ring);
-                    self.limit_of(&zero, &goal, ways.as_ref(), left)
+                    self.limit_of(&zero, goal, ways, moving)
                 }
                 Ok(Value::Scalar(value)) => {
                     let value = self.spelt_out(&value).ok_or_else(missing)?;
@@ -347,7 +391,7 @@ impl Checker<'_> {
                     if letters.any(|letter| behind.contains(&letter)) {
                         return Err(unsupported("a limit in which several letters move"));
                     }
-                    self.limit_of(&value, &goal, ways.as_ref(), left)
+                    self.limit_of(&value, goal, ways, moving)
                 }
             });
             if found.len() >= cases {
@@ -371,6 +415,13 @@ impl Checker<'_> {
             None if shown.is_empty() => Ok(Found::True(conditions)),
             None => Err(unsupported("a limit that differs from case to case")),
         }
+    }
+
+    /// What has the limit with its argument at the goal moving, where it may be meant so.
+    fn moved(&self, printed: &Expr, approach: &Approach) -> Option<Expr> {
+        let alone = approach.beside.is_empty();
+        let moved = self.model.moved(printed, &approach.letter, &approach.goal);
+        moved.filter(|_| alone)
     }
 
     /// The limit of a value on all ways to the goal, beside the printed one.
@@ -523,22 +574,21 @@ fn towards(expr: &Expr) -> Option<Towards> {
     }
 }
 
-/// Puts the letter where its goal is printed as an argument; whether another end is printed so.
-fn set_moving(expr: &mut Expr, approach: &Approach) -> bool {
-    let mut elsewhere = false;
-    if let ExprKind::Apply { arguments, .. } = &mut expr.kind {
-        for argument in arguments {
-            if *argument == approach.goal {
-                argument.kind = ExprKind::Name(approach.letter.clone());
-            } else {
-                elsewhere |= towards(argument).is_some();
+/// Whether zero or infinity is printed as an argument, and the goal is none.
+fn is_elsewhere(expr: &Expr, goal: &Expr) -> bool {
+    fn list<'e>(expr: &'e Expr, found: &mut Vec<&'e Expr>) {
+        if let ExprKind::Apply { arguments, .. } = &expr.kind {
+            found.extend(arguments);
+        }
+        if varied_name(expr).is_none() {
+            for child in children(expr) {
+                list(child, found);
             }
         }
     }
-    for child in children_mut(expr) {
-        elsewhere |= set_moving(child, approach);
-    }
-    elsewhere
+    let mut found = Vec::new();
+    list(expr, &mut found);
+    found.iter().any(|a| towards(a).is_some()) && found.iter().all(|a| *a != goal)
 }
 
 fn has_integral(expr: &Expr) -> bool {

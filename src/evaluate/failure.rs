@@ -110,6 +110,28 @@ impl Failure {
         Failure::new(FailureKind::Unsupported { what: what.into() }, span)
     }
 
+    /// Whether what is printed certainly has no value there: it divides by zero, or an argument lies outside of
+    /// the range of a definition.
+    pub(crate) fn is_without_value(&self) -> bool {
+        match &self.kind {
+            FailureKind::DivisionByZero => true,
+            FailureKind::Unsupported { what } => what == super::cases::OUTSIDE_OF_RANGE,
+            FailureKind::Shape { .. }
+            | FailureKind::Outside { .. }
+            | FailureKind::Exponent { .. }
+            | FailureKind::Ambiguous { .. }
+            | FailureKind::Undeclared { .. }
+            | FailureKind::NeedsItself
+            | FailureKind::NotStationary
+            | FailureKind::NotLinear
+            | FailureKind::Underdetermined
+            | FailureKind::Inconsistent
+            | FailureKind::Budget { .. }
+            | FailureKind::Exhausted { .. }
+            | FailureKind::Divergent { .. } => false,
+        }
+    }
+
     /// The shapes that do not fit, if that is why.
     pub fn misfit(&self) -> Option<Misfit> {
         if let FailureKind::Shape {
