@@ -9,6 +9,7 @@ mod points;
 mod ways;
 
 use super::Checker;
+use super::divergent::Comes;
 use super::edit::{Address, Change, Replacement};
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
@@ -365,15 +366,34 @@ impl Checker<'_> {
                 }
             }
             found.push(match value {
-                Err(Failure {
-                    kind: FailureKind::Divergent { positive: true, .. },
-                    ..
-                }) => Ok(match goal {
-                    Printed::Infinite => Found::True(Vec::new()),
-                    Printed::To(_) | Printed::MinusInfinite => {
-                        Found::False(Shown::CounterProof(CounterProof::Limit(Limit::Infinite)))
-                    }
-                }),
+                Err(
+                    failure @ Failure {
+                        kind: FailureKind::Divergent { .. },
+                        ..
+                    },
+                ) => {
+                    // What else moves may make up for what grows.
+                    let grows = match approach {
+                        None if cases <= 1 => self.comes_to(moving),
+                        None | Some(_) => None,
+                    };
+                    let Some(Comes::ToNone(Some(towards))) = grows else {
+                        return Err(failure);
+                    };
+                    let limit = match towards {
+                        Sign::Plus => Limit::Infinite,
+                        Sign::Minus => Limit::MinusInfinite,
+                    };
+                    Ok(match (towards, goal) {
+                        (Sign::Plus, Printed::Infinite) | (Sign::Minus, Printed::MinusInfinite) => {
+                            Found::True(Vec::new())
+                        }
+                        (
+                            Sign::Plus | Sign::Minus,
+                            Printed::To(_) | Printed::Infinite | Printed::MinusInfinite,
+                        ) => Found::False(Shown::CounterProof(CounterProof::Limit(limit))),
+                    })
+                }
                 Err(failure) => return Err(failure),
                 Ok(Value::Matrix(_)) => return Err(unsupported("a limit of a matrix")),
                 Ok(Value::Zero) => {
@@ -522,7 +542,7 @@ impl Checker<'_> {
     }
 
     /// The functions of the document, or none.
-    fn table(&self) -> FunctionTable {
+    pub(super) fn table(&self) -> FunctionTable {
         let model = self.model;
         let ranges = || (0..model.letters.len()).map(|l| model.range_of(l));
         match self.functions() {

@@ -1,6 +1,7 @@
 //! Why an expression has no value.
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::expr::Sign;
 use crate::functions::Impossible;
 use crate::span::Span;
 use crate::verdict::Misfit;
@@ -70,12 +71,12 @@ pub enum FailureKind {
         /// What ran out, in words.
         what: String,
     },
-    /// An integral without a value.
+    /// An integral without a value, whatever admitted values the letters have.
     Divergent {
         /// Why.
         reason: String,
-        /// Whether it grows to plus infinity: the integrand is positive.
-        positive: bool,
+        /// The sign of the infinity that it grows to, if it is known to grow to one.
+        towards: Option<Sign>,
     },
     /// Outside of what is decided here.
     Unsupported {
@@ -94,9 +95,7 @@ impl Failure {
     pub fn impossible(why: Impossible, span: Span) -> Self {
         let kind = match why {
             Impossible::Unsupported(what) => FailureKind::Unsupported { what },
-            Impossible::Divergent { reason, positive } => {
-                FailureKind::Divergent { reason, positive }
-            }
+            Impossible::Divergent { reason, towards } => FailureKind::Divergent { reason, towards },
             Impossible::DivisionByZero => FailureKind::DivisionByZero,
             Impossible::NoLetter => FailureKind::Budget {
                 what: "different functions".into(),

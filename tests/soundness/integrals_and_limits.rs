@@ -3,6 +3,8 @@
 //! coefficients of what diverges that may vanish, and spectra that do not decay where distributions are declared.
 
 use super::signs::{Family, LETTERS, Random};
+use super::unwritten::Truth::{False, Open, True};
+use super::unwritten::{Claim, undecided};
 
 /// A function of q with its derivative.
 const FUNCTIONS: &[(&str, &str, &str)] = &[
@@ -141,4 +143,366 @@ fn difference_quotients() {
     }
     assert!(family.len() >= 150);
     family.decides(0.9, 0.9);
+}
+
+const HEAD: &str = r#"```toml symbols
+x = { }
+y = { }
+t = { }
+'\omega' = { }
+a = { positive = true }
+b = { positive = true }
+c = { positive = true }
+```
+```toml notation
+e = { constant = "e" }
+i = { constant = "i" }
+'\pi' = { constant = "pi" }
+```
+"#;
+
+/// An integral that diverges decides what it stands in only where nothing can make up for it.
+#[test]
+fn what_diverges_inside() {
+    let grows = [
+        r"\int_0^1 \frac{1}{t}\,dt",
+        r"\int_0^a \frac{b}{t^2}\,dt",
+        r"\int_1^\infty \frac{1}{t}\,dt",
+        r"\int_0^\infty t\,dt",
+        r"\int_0^\infty (1 + at)\,dt",
+        r"\int_0^\infty e^{at}\,dt",
+        r"\int_0^\infty (e^{at} + e^{bt})\,dt",
+        r"\int_0^\infty \frac{t^2}{a^2 + t^2}\,dt",
+        r"\int_{-\infty}^\infty \frac{1}{t^2}\,dt",
+        r"\int_{-\infty}^\infty a\,dt",
+        r"\int_0^\infty \frac{a + t^2}{t^2(b + t^2)}\,dt",
+        r"\left(\int_a^0 \frac{-1}{t}\,dt\right)",
+    ];
+    let falls = [
+        r"\int_1^0 \frac{1}{t}\,dt",
+        r"\int_a^0 \frac{b}{t^2}\,dt",
+        r"\int_0^1 \frac{-2}{t}\,dt",
+        r"\int_0^\infty (-a - t)\,dt",
+    ];
+    let forms = [
+        (r"I \to \infty", True),
+        (r"I \to -\infty", False),
+        (r"I \to 5", False),
+        (r"-I \to -\infty", True),
+        (r"-I \to \infty", False),
+        (r"y - I \to -\infty", True),
+        (r"y - I \to \infty", False),
+        (r"I + 3\cos y \to \infty", True),
+        (r"aI \to \infty", True),
+        (r"aI \to -\infty", False),
+        (r"-\frac{I}{2a} \to -\infty", True),
+        (r"-\frac{I}{2a} \to \infty", False),
+        (r"2I + aI \to \infty", True),
+        (r"\frac{1}{I} \to \infty", False),
+        (r"\frac{a}{1 + I} \to \infty", False),
+        (r"e^{-I} \to \infty", False),
+        (r"a^{-I} \to \infty", Open),
+        (r"\cos(I) \to \infty", False),
+        (r"iI \to \infty", False),
+        (r"0 \cdot I \to \infty", False),
+        (r"yI \to \infty", False),
+        (r"(a - b)I \to \infty", False),
+        (r"I - 2I \to \infty", False),
+        (r"I - I \to 0", Open),
+        (r"x \to 0, \quad xI \to \infty", False),
+        (r"x \to \infty, \quad e^{-x}I \to \infty", False),
+        (r"x \to 0, \quad \frac{\sin x}{x} - I \to \infty", False),
+        (r"\int_0^{-1} I\,dx \to \infty", False),
+        (r"\sum_{k=1}^{2} (-1)^k I \to \infty", Open),
+        (r"I = 5", False),
+        (r"y + 2I = y", False),
+        (r"I = \infty", True),
+        (r"-I = \infty", False),
+        (r"I = I", Open),
+        (r"yI = 0", Open),
+        (r"I > 0", True),
+        (r"I \ne 5", True),
+    ];
+    let mut claims = Vec::new();
+    for integral in grows {
+        for (form, truth) in forms {
+            claims.push(Claim::plain(
+                form.replace('I', &format!("{{{integral}}}")),
+                truth,
+            ));
+        }
+    }
+    for integral in falls {
+        for (form, truth) in [
+            (r"I \to -\infty", True),
+            (r"I \to \infty", False),
+            (r"-I \to \infty", True),
+            (r"a - 2I \to \infty", True),
+            (r"a - 2I \to -\infty", False),
+            (r"\frac{a}{I} \to \infty", False),
+        ] {
+            claims.push(Claim::plain(form.replace('I', integral), truth));
+        }
+    }
+    let open = undecided(HEAD, &claims);
+    assert!(
+        2 * open.len() < claims.len(),
+        "{} of {}: {open:#?}",
+        open.len(),
+        claims.len()
+    );
+}
+
+/// What has a pole in its parts and none as a whole has a value.
+#[test]
+fn removable_poles() {
+    let mut claims = Vec::new();
+    let frequencies = [
+        ("", "(1)"),
+        ("2", "(2)"),
+        ("a", "a"),
+        ("3b", "(3b)"),
+        ("x", "|x|"),
+    ];
+    for (k, size) in frequencies {
+        for (p, square) in [("1", "1"), ("b", "b^2"), ("2", "4")] {
+            let plain = format!(r"\frac{{1 - \cos {k}t}}{{t^2}}");
+            let of_plain = format!(r"\frac{{\pi}}{{2}}{size}");
+            let with = format!(r"\frac{{1 - \cos {k}t}}{{t^2({square} + t^2)}}");
+            let of_with = format!(
+                r"\frac{{\pi}}{{2 \cdot {square}}}\left({size} - \frac{{1 - e^{{-{size}{}}}}}{{{p}}}\right)",
+                if p == "1" {
+                    String::new()
+                } else {
+                    format!(r"\cdot {p}")
+                }
+            );
+            for (integrand, value) in [
+                (plain.clone(), of_plain.clone()),
+                (format!("c{plain}"), format!("c{of_plain}")),
+                (
+                    format!(r"\left({plain} + \frac{{1}}{{{square} + t^2}}\right)"),
+                    format!(r"{of_plain} + \frac{{\pi}}{{2 \cdot {p}}}"),
+                ),
+                (
+                    format!(r"\left(\frac{{c}}{{t^2}} - \frac{{c\cos {k}t}}{{t^2}}\right)"),
+                    format!("c{of_plain}"),
+                ),
+                (with, of_with),
+            ] {
+                let half = format!(r"\int_0^\infty {integrand}\,dt");
+                let whole = format!(r"\int_{{-\infty}}^\infty {integrand}\,dt");
+                claims.push(Claim::plain(format!("{half} = {value}"), True));
+                claims.push(Claim::plain(
+                    format!("{whole} = 2\\left({value}\\right)"),
+                    True,
+                ));
+                claims.push(Claim::plain(format!("{half} = {value} + 1"), False));
+                claims.push(Claim::plain(format!(r"{half} \to \infty"), False));
+            }
+        }
+    }
+    for (p, square) in [("1", "1"), ("2", "4"), ("b", "b^2")] {
+        for (above, value) in [
+            (
+                format!(r"\cos\frac{{\pi t}}{{2 \cdot {p}}}"),
+                format!(r"\frac{{\pi}}{{2 \cdot {p}}}"),
+            ),
+            (
+                format!(r"\cos\frac{{3\pi t}}{{2 \cdot {p}}}"),
+                format!(r"-\frac{{\pi}}{{2 \cdot {p}}}"),
+            ),
+            (
+                format!(r"\left(1 + \cos\frac{{\pi t}}{{{p}}}\right)"),
+                "0".into(),
+            ),
+            (
+                format!(r"\left(1 - \cos\frac{{2\pi t}}{{{p}}}\right)"),
+                "0".into(),
+            ),
+        ] {
+            let half = format!(r"\int_0^\infty \frac{{{above}}}{{{square} - t^2}}\,dt");
+            let whole = half.replace("_0", r"_{-\infty}");
+            claims.push(Claim::plain(format!("{half} = {value}"), True));
+            claims.push(Claim::plain(
+                format!("{whole} = 2\\left({value}\\right)"),
+                True,
+            ));
+            claims.push(Claim::plain(format!("{half} = {value} + c"), False));
+            claims.push(Claim::plain(format!(r"{half} \to \infty"), False));
+        }
+        // Poles that stay: principal values at most.
+        let stays =
+            format!(r"\int_0^\infty \frac{{\cos\frac{{\pi t}}{{{p}}}}}{{{square} - t^2}}\,dt");
+        claims.push(Claim::plain(format!("{stays} = 0"), Open));
+        claims.push(Claim::plain(
+            format!(r"\int_0^\infty \frac{{1}}{{{square} - t^2}}\,dt = 0"),
+            Open,
+        ));
+        for stays in [r"2 - \cos at", r"1 + \cos at", r"a"] {
+            let integral = format!(r"\int_0^\infty \frac{{{stays}}}{{t^2({square} + t^2)}}\,dt");
+            claims.push(Claim::plain(format!("{integral} = a"), False));
+            claims.push(Claim::plain(format!(r"{integral} \to -\infty"), False));
+            claims.push(Claim::plain(format!(r"{integral} \to \infty"), True));
+        }
+    }
+    let open = undecided(HEAD, &claims);
+    assert!(
+        10 * open.len() < claims.len(),
+        "{} of {}: {open:#?}",
+        open.len(),
+        claims.len()
+    );
+}
+
+/// An integral that diverges unless a coefficient vanishes has a value where it does.
+#[test]
+fn coefficients_that_may_vanish() {
+    // Integrals without a value but for Q = 0, and their values there.
+    let forms = [
+        (r"\int_0^\infty Qt\,dt", "0"),
+        (r"\int_{-\infty}^\infty Q\,dt", "0"),
+        (r"\int_0^1 \frac{Q}{t}\,dt", "0"),
+        (r"\int_0^1 \left(\frac{Q}{t^2} + 1\right)dt", "1"),
+        (r"\int_1^\infty \left(Qt + \frac{1}{t^2}\right)dt", "1"),
+        (r"\int_0^\infty Qe^{t}\,dt", "0"),
+        (r"\int_0^\infty (Qe^{t} + e^{-t})\,dt", "1"),
+        (r"\int_0^\infty e^{t}\sin(Qt)\,dt", "0"),
+        (
+            r"\int_0^\infty \frac{Qt^2 + 1}{1 + t^2}\,dt",
+            r"\frac{\pi}{2}",
+        ),
+        (
+            r"\int_0^\infty \frac{t^2 + Q}{t^2(1 + t^2)}\,dt",
+            r"\frac{\pi}{2}",
+        ),
+        (r"\int_0^\infty \frac{Q\cos t}{1}\,dt", "0"),
+        (r"\int_0^\infty \frac{Qt^2\cos t}{1 + t^2}\,dt", "0"),
+        (r"\int_0^\infty \frac{Q\cos t}{t^2}\,dt", "0"),
+        (r"\int_0^\infty (1 - \cos(Qt))\,dt", "0"),
+        (r"\int_{-\infty}^\infty \sin(Qt)\,dt", "0"),
+        (
+            r"\int_{-\infty}^\infty \frac{t^2\sin(Qt)}{1 + t^2}\,dt",
+            "0",
+        ),
+        (r"\int_0^\infty \frac{Q}{(1 - t)^2(1 + t)^2}\,dt", "0"),
+    ];
+    let mut claims = Vec::new();
+    for (form, value) in forms {
+        for f in ["x", "(x - y)", "(a - b)", "xy", "(x^2 - 4)", "(x + 1)"] {
+            let integral = form.replace('Q', f);
+            claims.push(Claim::plain(format!("{integral} = {value}"), True));
+            claims.push(Claim::plain(format!("{integral} = {value} + {f}"), True));
+            claims.push(Claim::plain(format!("{integral} = {value} + 1"), False));
+            claims.push(Claim::plain(format!("{value} + {f}^2 = {integral}"), True));
+        }
+    }
+    for (claim, truth) in [
+        (r"\int_1^\infty (t^a - t^b)\,dt = 0", True),
+        (r"\int_0^1 (t^{-1-a} - t^{-1-b})\,dt = 0", True),
+        (r"\int_0^\infty (e^{at} - e^{bt} + e^{-t})\,dt = 1", True),
+        (r"\int_0^0 \frac{1}{t}\,dt = 0", True),
+        (r"\int_x^0 \frac{1}{t}\,dt = x", True),
+        (r"\int_{-\infty}^\infty t\,dt = 0", Open),
+        (r"\int_{-\infty}^\infty \frac{t}{1 + t^2}\,dt = 0", Open),
+        (r"\int_{-\infty}^\infty \frac{t}{1 + |t|}\,dt = 0", Open),
+    ] {
+        claims.push(Claim::plain(claim, truth));
+    }
+    undecided(HEAD, &claims);
+    // Where the coefficient has a sign there is no value at all.
+    let mut claims = Vec::new();
+    for (form, _) in forms
+        .iter()
+        .filter(|(form, _)| !form.contains("sin") && !form.contains("1 - "))
+    {
+        for f in ["a", "(a + b)", "3", "(x^2 + 1)", "(-a)"] {
+            let integral = form.replace('Q', f);
+            claims.push(Claim::plain(format!("{integral} = 1"), False));
+            claims.push(Claim::plain(format!("a = b + 2{integral}"), False));
+        }
+    }
+    let open = undecided(HEAD, &claims);
+    assert!(
+        4 * open.len() < claims.len(),
+        "{} of {}: {open:#?}",
+        open.len(),
+        claims.len()
+    );
+}
+
+/// The Fourier integral of what does not decay is a distribution, with exponentials as with cosines.
+#[test]
+fn white_spectra() {
+    let head = HEAD.replace(
+        "```toml notation\n",
+        "```toml notation\n'\\delta' = { dirac = true }\n",
+    );
+    let spectra = [
+        ("1", r"2\pi\delta(t)"),
+        ("a", r"2a\pi\delta(t)"),
+        (r"\frac{1}{\omega^2 + a^2}", r"\frac{\pi}{a}e^{-a|t|}"),
+        (
+            r"\frac{\omega^2}{\omega^2 + a^2}",
+            r"\left(2\pi\delta(t) - \pi ae^{-a|t|}\right)",
+        ),
+        (
+            r"\frac{\omega^2 + b^2}{\omega^2 + 1}",
+            r"\left(2\pi\delta(t) + \pi(b^2 - 1)e^{-|t|}\right)",
+        ),
+    ];
+    let mut claims = Vec::new();
+    for (spectrum, transform) in spectra {
+        for (factor, of_factor) in [("", ""), ("c", "c"), (r"\frac{1}{2\pi}", r"\frac{1}{2\pi}")] {
+            for wave in [
+                r"\cos(\omega t)",
+                r"e^{i\omega t}",
+                r"e^{-i\omega t}",
+                r"(\cos(\omega t) + i\sin(\omega t))",
+                r"(\cos(\omega t) + y\sin(\omega t))",
+            ] {
+                let integral = format!(
+                    r"\int_{{-\infty}}^\infty {factor}\left({spectrum}\right){wave}\,d\omega"
+                );
+                let value = format!("{of_factor}\\left({transform}\\right)");
+                claims.push(Claim::plain(format!("{integral} = {value}"), True));
+                claims.push(Claim::plain(format!("{integral} = {value} + c"), False));
+                claims.push(Claim::plain(format!("{integral} = 2{value}"), False));
+            }
+            let odd = format!(
+                r"\int_{{-\infty}}^\infty {factor}\left({spectrum}\right)\sin(\omega t)\,d\omega"
+            );
+            claims.push(Claim::plain(format!("{odd} = 0"), True));
+            claims.push(Claim::plain(format!("{odd} = c"), False));
+        }
+    }
+    for (claim, truth) in [
+        (
+            r"\int_{-\infty}^\infty \omega^2\cos(\omega t)\,d\omega = c",
+            Open,
+        ),
+        (
+            r"\int_{-\infty}^\infty \omega^2\sin(\omega t)\,d\omega = 0",
+            True,
+        ),
+        (r"\int_{-\infty}^\infty \cos(3\omega)\,d\omega = 0", True),
+        (r"\int_{-\infty}^\infty e^{3i\omega}\,d\omega = 0", True),
+        (
+            r"\int_{-\infty}^\infty \frac{\omega}{i}e^{i\omega t}\,d\omega = c",
+            Open,
+        ),
+        (
+            r"\int_{-\infty}^\infty \frac{1}{i\omega + a}\,d\omega = \pi",
+            Open,
+        ),
+    ] {
+        claims.push(Claim::plain(claim, truth));
+    }
+    let open = undecided(&head, &claims);
+    assert!(
+        5 * open.len() < 2 * claims.len(),
+        "{} of {}: {open:#?}",
+        open.len(),
+        claims.len()
+    );
 }
