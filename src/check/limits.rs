@@ -11,6 +11,7 @@ mod ways;
 use super::Checker;
 use super::divergent::Comes;
 use super::edit::{Address, Change, Replacement};
+use super::stationary::EXISTS_FOR_SOME;
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
@@ -26,7 +27,7 @@ use crate::verdict::{
     Verdict,
 };
 use num_traits::Zero;
-use ratpoly::{Polynomial, RationalFunction};
+use ratpoly::{Polynomial, RationalFunction, RegionSign};
 use std::collections::BTreeSet;
 use ways::infinite;
 pub(crate) use ways::{Printed, Way, compared, ways_of};
@@ -147,6 +148,13 @@ impl Checker<'_> {
     fn limit_holds(&mut self, equation: usize, link: &Link) -> Verdict {
         let display = self.exact.display(equation).clone();
         let approach = self.approach(&display, link).ok().flatten();
+        if let Some(approach) = &approach
+            && !self.covariances_exist_on_the_way(&display, link, approach)
+        {
+            return Verdict::Undecided {
+                reason: EXISTS_FOR_SOME.into(),
+            };
+        }
         let moved = approach.as_ref().and_then(|approach| {
             let printed = link.left.find(&display)?;
             let moving = match self.exact.expression_without_cases(printed) {
@@ -435,6 +443,55 @@ impl Checker<'_> {
             None if shown.is_empty() => Ok(Found::True(conditions)),
             None => Err(unsupported("a limit that differs from case to case")),
         }
+    }
+
+    /// Whether the covariances behind a limit exist near its goal: what must be positive grows, has a positive limit, or
+    /// falls to zero from above.
+    fn covariances_exist_on_the_way(
+        &mut self,
+        display: &Display,
+        link: &Link,
+        approach: &Approach,
+    ) -> bool {
+        let conditions = std::mem::take(&mut self.exact.conditions);
+        let partial = self.partial_covariances();
+        self.exact.conditions = conditions;
+        let sides = [link.left, link.right].into_iter();
+        let sides = sides.filter_map(|place| place.find(display));
+        let used = self.behind(sides, &partial);
+        let Some(letter) = self.model.letter_of_symbol(approach.symbol, 0) else {
+            return used.is_empty();
+        };
+        let functions = used.iter().flat_map(|covariance| covariance.functions());
+        let moving: Vec<RationalFunction> = functions
+            .filter(|f| self.exact.field.letters_behind(f).contains(&letter))
+            .cloned()
+            .collect();
+        if moving.is_empty() {
+            return true;
+        }
+        let Ok(ways) = self.ways(approach) else {
+            return false;
+        };
+        let (table, admissible) = (self.table(), self.admissible());
+        let grows = |way: &Way, f: &RationalFunction| {
+            matches!(way.behaviour(f, &table, &admissible),
+                Ok(Behaviour::Tends(Limit::Infinite, conditions)) if conditions.is_empty())
+        };
+        let stays_positive = |way: &Way, f: &RationalFunction| {
+            let limit = match way.behaviour(f, &table, &admissible) {
+                Ok(Behaviour::Tends(Limit::To(limit), conditions)) if conditions.is_empty() => {
+                    limit
+                }
+                Ok(_) | Err(_) => return grows(way, f),
+            };
+            match limit.is_zero() {
+                true => f.inverse().is_ok_and(|f| grows(way, &f)),
+                false => admissible.sign(&limit) == RegionSign::Positive,
+            }
+        };
+        let mut all = moving.iter();
+        all.all(|f| ways.iter().all(|way| stays_positive(way, f)))
     }
 
     /// What has the limit with its argument at the goal moving, where it may be meant so.

@@ -4,6 +4,7 @@ use super::challenge::is_decided_by_points;
 use super::divergent::Comes;
 use super::hypotheses::possible::Signs;
 use super::identity::{Decision, Insertion};
+use super::stationary::EXISTS_FOR_SOME;
 use super::{Checker, Told, index_tuples};
 use crate::evaluate::{Failure, FailureKind};
 use crate::expr::{ExprKind, Relation};
@@ -108,6 +109,10 @@ impl Checker<'_> {
         } else if let Some(reason) = self.unwritten(equation, link) {
             Verdict::Undecided {
                 reason: reason.into(),
+            }
+        } else if self.integrates_over_existence(equation, link) {
+            Verdict::Undecided {
+                reason: EXISTS_FOR_SOME.into(),
             }
         } else if link.relation == Relation::Tends {
             self.exactly(|c| {

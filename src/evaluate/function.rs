@@ -289,7 +289,10 @@ impl<D: Domain> Evaluator<'_, D> {
                     reason,
                     towards: None,
                 },
-                why => why,
+                why @ (Impossible::Unsupported(_)
+                | Impossible::Divergent { .. }
+                | Impossible::DivisionByZero
+                | Impossible::NoLetter) => why,
             });
             Self::possible(value, span)
         };

@@ -10,6 +10,7 @@
 use super::divergence::uncertain;
 use super::{FunctionLetter, FunctionTable, Impossible, Possible};
 use crate::domain::Symbolic;
+use crate::model::range::Numbers;
 use crate::theory::cosine_transform::correlation;
 use crate::theory::hurwitz_integral::hurwitz_integral;
 use crate::theory::spectral_factor::spectral_factor;
@@ -471,7 +472,9 @@ impl FunctionTable {
             .cosines_and_rest(&rest, &spectra, variable)
             .map_err(|why| match why {
                 Impossible::Divergent { .. } => uncertain(),
-                why => why,
+                why @ (Impossible::Unsupported(_)
+                | Impossible::DivisionByZero
+                | Impossible::NoLetter) => why,
             })?;
         self.over_axis(&sum, half)
     }
@@ -572,8 +575,9 @@ impl FunctionTable {
         if above < below {
             return Ok((self.integer(0), spectrum.clone()));
         }
-        // A distribution in the frequency. At a number the oscillation goes on for ever.
-        if above > below || !self.distributions || frequency.as_constant().is_some() {
+        // A distribution in the frequency, which takes all values around zero. At one of them the oscillation goes
+        // on for ever.
+        if above > below || !self.distributions || !self.passes_zero(frequency) {
             return Err(Impossible::unsupported(
                 "an integral of what does not decay",
             ));
@@ -588,6 +592,14 @@ impl FunctionTable {
         let white = last(spectrum.numerator()).checked_div(&last(spectrum.denominator()))?;
         let proper = self.reduce(spectrum - &white);
         Ok((white, proper))
+    }
+
+    /// Whether a frequency may be zero and is made of real letters.
+    fn passes_zero(&self, frequency: &RationalFunction) -> bool {
+        let behind = self.letters_behind(frequency);
+        let mut declared = behind.iter().filter(|letter| **letter < self.first);
+        let real = |letter: &usize| self.ranges[*letter].numbers == Numbers::Real;
+        declared.clone().next().is_some() && declared.all(real) && !self.never_vanishes(frequency)
     }
 
     fn cosine_integral(
