@@ -575,9 +575,9 @@ impl FunctionTable {
         if above < below {
             return Ok((self.integer(0), spectrum.clone()));
         }
-        // A distribution in the frequency, which takes all values around zero. At one of them the oscillation goes
-        // on for ever.
-        if above > below || !self.distributions || !self.passes_zero(frequency) {
+        // A distribution in the frequency, which letters stand for. At a number, also at one with a letter of its own, the
+        // oscillation goes on for ever.
+        if above > below || !self.distributions || !self.is_continuous(frequency) {
             return Err(Impossible::unsupported(
                 "an integral of what does not decay",
             ));
@@ -594,12 +594,12 @@ impl FunctionTable {
         Ok((white, proper))
     }
 
-    /// Whether a frequency may be zero and is made of real letters.
-    fn passes_zero(&self, frequency: &RationalFunction) -> bool {
+    /// Whether a frequency is made of real letters.
+    fn is_continuous(&self, frequency: &RationalFunction) -> bool {
         let behind = self.letters_behind(frequency);
         let mut declared = behind.iter().filter(|letter| **letter < self.first);
         let real = |letter: &usize| self.ranges[*letter].numbers == Numbers::Real;
-        declared.clone().next().is_some() && declared.all(real) && !self.never_vanishes(frequency)
+        declared.clone().next().is_some() && declared.all(real)
     }
 
     fn cosine_integral(

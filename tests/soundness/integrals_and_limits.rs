@@ -506,3 +506,153 @@ fn white_spectra() {
         claims.len()
     );
 }
+
+/// At a number, and at an integer, an oscillation has no end, whatever the letters for functions are.
+#[test]
+fn oscillations_at_numbers() {
+    let head = HEAD.replace(
+        "```toml notation\n",
+        "```toml notation\n'\\delta' = { dirac = true }\n",
+    );
+    let head = head.replace("a = {", "n = { domain = \"integer\" }\na = {");
+    let mut claims = Vec::new();
+    let frequencies = [
+        "1",
+        r"\pi",
+        r"\sqrt 2",
+        r"e",
+        r"(\ln 2)",
+        "n",
+        "(n + 2)",
+        r"\frac{1}{n}",
+        "2e",
+        r"\pi^2",
+        "2",
+        r"\frac{\pi}{3}",
+    ];
+    for frequency in frequencies {
+        for (integral, rest) in [
+            (r"\int_0^\infty \cos(F t)\,dt", "0"),
+            (r"\int_{-\infty}^\infty \cos(F t)\,dt", "0"),
+            (r"\int_{-\infty}^\infty e^{F it}\,dt", "0"),
+            (r"\int_0^\infty b\cos(F t)\,dt", "0"),
+            (
+                r"\int_0^\infty \frac{t^2}{b^2 + t^2}\cos(F t)\,dt",
+                r"-\frac{\pi b}{2}e^{-F b}",
+            ),
+        ] {
+            let integral = integral.replace('F', frequency);
+            let rest = rest.replace('F', frequency);
+            claims.push(Claim::plain(format!("{integral} = {rest}"), Open));
+            claims.push(Claim::plain(format!("{integral} = {rest} + 1"), False));
+            claims.push(Claim::plain(format!("1 - {integral} = 1 - ({rest})"), Open));
+        }
+    }
+    undecided(&head, &claims);
+}
+
+/// A covariance has a limit only where it exists on the way to it, and an integral only where it exists between the
+/// ends.
+#[test]
+fn covariances_on_the_way() {
+    let head = r#"```toml symbols
+t = { }
+r = { function_of = "t" }
+q = { function_of = "t" }
+x = { }
+a = { positive = true }
+b = { positive = true }
+g = { positive = true }
+```
+```toml notation
+'\mathbf{V}' = { covariance_of = '\mathbf{z}' }
+'V_{i,j}' = { entry_of = '\mathbf{V}' }
+'\mathbf{0}' = { zero = true }
+```
+```math z define
+\mathbf{z} = \begin{bmatrix} r \\ q \end{bmatrix}
+```
+```math A define
+\mathbf{A} = MATRIX
+```
+```math Q define
+\mathbf{Q} = NOISE
+```
+```math V solve \mathbf{V}
+\mathbf{A}\mathbf{V} + \mathbf{V}\mathbf{A}^T + \mathbf{Q} = \mathbf{0}
+```
+"#;
+    let noise = r"\begin{bmatrix} 0 & 0 \\ 0 & g \end{bmatrix}";
+    let both = r"\begin{bmatrix} g & 0 \\ 0 & g \end{bmatrix}";
+    // The value of V_11, of V_22 and their product with x by which the covariance exists for x > 0 only.
+    for (matrix, noise, first, second) in [
+        (
+            r"\begin{bmatrix} 0 & 1 \\ -b & -x \end{bmatrix}",
+            noise,
+            r"\frac{g}{2bx}",
+            r"\frac{g}{2x}",
+        ),
+        (
+            r"\begin{bmatrix} -x & 0 \\ 0 & -x \end{bmatrix}",
+            both,
+            r"\frac{g}{2x}",
+            r"\frac{g}{2x}",
+        ),
+        (
+            r"\begin{bmatrix} -3x & 0 \\ 0 & -bx \end{bmatrix}",
+            both,
+            r"\frac{g}{6x}",
+            r"\frac{g}{2bx}",
+        ),
+    ] {
+        let head = head.replace("MATRIX", matrix).replace("NOISE", noise);
+        let mut claims = Vec::new();
+        for (entries, value) in [
+            (["V_{11}", r"E\{r^2\}"], first),
+            (["V_{22}", r"E\{q^2\}"], second),
+        ] {
+            let at = |x: &str| value.replace('x', &format!(r" \cdot {x}"));
+            let scaled = value.replace('x', "");
+            for v in entries {
+                for (claim, truth) in [
+                    (format!(r"x \to +0, \quad {v} \to \infty"), True),
+                    (format!(r"x \to \infty, \quad {v} \to 0"), True),
+                    (format!(r"x \to \infty, \quad x{v} \to {scaled}"), True),
+                    (format!(r"x \to 2, \quad {v} \to {}", at("2")), True),
+                    (format!(r"x \to 2, \quad {v} \to {}", at("3")), False),
+                    (format!(r"x \to a, \quad {v} \to {}", at("a")), True),
+                    (format!(r"x \to -0, \quad {v} \to -\infty"), Open),
+                    (format!(r"x \to -0, \quad x{v} \to {scaled}"), Open),
+                    (format!(r"x \to -\infty, \quad {v} \to 0"), Open),
+                    (format!(r"x \to -2, \quad {v} \to {}", at("(-2)")), Open),
+                    (format!(r"x \to -a, \quad {v} \to {}", at("(-a)")), Open),
+                    (format!(r"x \to 0, \quad {v} \to \infty"), Open),
+                    (format!(r"\int_{{-2}}^{{-1}} x{v}\,dx = {scaled}"), Open),
+                    (format!(r"\int_{{-1}}^{{1}} x^2{v}\,dx = 0"), Open),
+                    (format!(r"\int_1^2 x{v}\,dx = {scaled}"), True),
+                    (format!(r"\int_1^2 x{v}\,dx = 2{scaled}"), False),
+                ] {
+                    claims.push(Claim::plain(claim, truth));
+                }
+            }
+        }
+        // As many others as a document has at least.
+        while claims.len() < 100 {
+            let k = claims.len();
+            claims.push(Claim::plain(
+                format!(
+                    r"x \to {k}, \quad V_{{11}} \to {}",
+                    first.replace('x', &format!(r" \cdot {k}"))
+                ),
+                True,
+            ));
+        }
+        let open = undecided(&head, &claims);
+        assert!(
+            2 * open.len() < claims.len(),
+            "{} of {}: {open:#?}",
+            open.len(),
+            claims.len()
+        );
+    }
+}
