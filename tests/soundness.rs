@@ -23,6 +23,8 @@ mod functions;
 mod generated;
 #[path = "soundness/hypotheses.rs"]
 mod hypotheses;
+#[path = "soundness/integrals_and_limits.rs"]
+mod integrals_and_limits;
 #[path = "soundness/limits.rs"]
 mod limits;
 #[path = "soundness/moments.rs"]

@@ -9,11 +9,13 @@ mod points;
 mod ways;
 
 use super::Checker;
+use super::divergent::Comes;
 use super::edit::{Address, Change, Replacement};
+use super::stationary::EXISTS_FOR_SOME;
 use crate::domain::{Domain, Symbolic};
 use crate::evaluate::{Condition, Evaluator, Failure, FailureKind, Origin, Value};
 use crate::expr::reading;
-use crate::expr::walk::{children, children_mut, mentions};
+use crate::expr::walk::{children, mentions, varied_name};
 use crate::expr::{Display, Expr, ExprKind, Name, Relation, Sign};
 use crate::functions::FunctionTable;
 use crate::model::links::{Link, Place};
@@ -25,7 +27,7 @@ use crate::verdict::{
     Verdict,
 };
 use num_traits::Zero;
-use ratpoly::{Polynomial, RationalFunction};
+use ratpoly::{Polynomial, RationalFunction, RegionSign};
 use std::collections::BTreeSet;
 use ways::infinite;
 pub(crate) use ways::{Printed, Way, compared, ways_of};
@@ -146,9 +148,19 @@ impl Checker<'_> {
     fn limit_holds(&mut self, equation: usize, link: &Link) -> Verdict {
         let display = self.exact.display(equation).clone();
         let approach = self.approach(&display, link).ok().flatten();
+        if let Some(approach) = &approach
+            && !self.covariances_exist_on_the_way(&display, link, approach)
+        {
+            return Verdict::Undecided {
+                reason: EXISTS_FOR_SOME.into(),
+            };
+        }
         let moved = approach.as_ref().and_then(|approach| {
-            let mut moving = link.left.find(&display)?.clone();
-            set_moving(&mut moving, approach);
+            let printed = link.left.find(&display)?;
+            let moving = match self.exact.expression_without_cases(printed) {
+                Err(failure) if failure.is_without_value() => self.moved(printed, approach)?,
+                Ok(_) | Err(_) => printed.clone(),
+            };
             let letter = self.model.letter_of_symbol(approach.symbol, 0)?;
             match self.exact.expression_without_cases(&moving).ok()? {
                 Value::Scalar(value) => Some((self.spelt_out(&value)?, letter)),
@@ -287,20 +299,61 @@ impl Checker<'_> {
                 Value::Matrix(_) => return Err(unsupported("a limit of a matrix")),
             },
         };
-        let mut moving = left.clone();
-        if let Some(approach) = approach {
-            let elsewhere = set_moving(&mut moving, approach);
-            if elsewhere && !mentions(&moving, &approach.letter) {
-                return Ok(Found::False(Shown::Structure(Structure::Elsewhere)));
-            }
-        }
         let ways = match approach {
             Some(approach) => Some(self.ways(approach)?),
             None => None,
         };
+        let ways = ways.as_ref();
+        let before = self.exact.conditions.clone();
+        let printed = self.judged_reading(left, &goal, approach, ways);
+        let Some(approach) = approach else {
+            return printed;
+        };
+        let Some(moving) = self.moved(left, approach) else {
+            let still = !mentions(left, &approach.letter);
+            return match printed {
+                Err(failure)
+                    if failure.is_without_value()
+                        && still
+                        && is_elsewhere(left, &approach.goal) =>
+                {
+                    Ok(Found::False(Shown::Structure(Structure::Elsewhere)))
+                }
+                printed => printed,
+            };
+        };
+        if printed.as_ref().is_err_and(Failure::is_without_value) {
+            self.exact.conditions = before;
+        }
+        let read = self.judged_reading(&moving, &goal, Some(approach), ways);
+        // What has a value at its goal may be meant as this value; then both must say the same.
+        match (printed, read) {
+            (Err(failure), read) if failure.is_without_value() => read,
+            (Ok(Found::True(mut conditions)), Ok(Found::True(more))) => {
+                conditions.extend(more);
+                Ok(Found::True(conditions))
+            }
+            (Ok(Found::False(shown)), Ok(Found::False(_))) => Ok(Found::False(shown)),
+            (Err(failure), _) => Err(failure),
+            (Ok(_), _) => Err(unsupported(
+                "a limit whose goal is an argument, which may be meant to move,",
+            )),
+        }
+    }
+
+    /// Whether the statement is true of one reading of what has the limit.
+    fn judged_reading(
+        &mut self,
+        moving: &Expr,
+        goal: &Printed,
+        approach: Option<&Approach>,
+        ways: Option<&Vec<Way>>,
+    ) -> Result<Found, Failure> {
+        let missing = || Failure::unsupported("a link without its sides", Default::default());
+        let unsupported = |what: &str| Failure::unsupported(what, moving.span);
         let mut found: Vec<Result<Found, Failure>> = Vec::new();
         let cases = loop {
-            let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(&moving);
+            let value = |exact: &mut Evaluator<'_, Symbolic>| exact.expression(moving);
             let before = std::mem::take(&mut self.exact.conditions);
             let (value, cases) = self.exact.in_case(found.len(), value);
             let met = std::mem::replace(&mut self.exact.conditions, before);
@@ -321,20 +374,39 @@ impl Checker<'_> {
                 }
             }
             found.push(match value {
-                Err(Failure {
-                    kind: FailureKind::Divergent { positive: true, .. },
-                    ..
-                }) => Ok(match goal {
-                    Printed::Infinite => Found::True(Vec::new()),
-                    Printed::To(_) | Printed::MinusInfinite => {
-                        Found::False(Shown::CounterProof(CounterProof::Limit(Limit::Infinite)))
-                    }
-                }),
+                Err(
+                    failure @ Failure {
+                        kind: FailureKind::Divergent { .. },
+                        ..
+                    },
+                ) => {
+                    // What else moves may make up for what grows.
+                    let grows = match approach {
+                        None if cases <= 1 => self.comes_to(moving),
+                        None | Some(_) => None,
+                    };
+                    let Some(Comes::ToNone(Some(towards))) = grows else {
+                        return Err(failure);
+                    };
+                    let limit = match towards {
+                        Sign::Plus => Limit::Infinite,
+                        Sign::Minus => Limit::MinusInfinite,
+                    };
+                    Ok(match (towards, goal) {
+                        (Sign::Plus, Printed::Infinite) | (Sign::Minus, Printed::MinusInfinite) => {
+                            Found::True(Vec::new())
+                        }
+                        (
+                            Sign::Plus | Sign::Minus,
+                            Printed::To(_) | Printed::Infinite | Printed::MinusInfinite,
+                        ) => Found::False(Shown::CounterProof(CounterProof::Limit(limit))),
+                    })
+                }
                 Err(failure) => return Err(failure),
                 Ok(Value::Matrix(_)) => return Err(unsupported("a limit of a matrix")),
                 Ok(Value::Zero) => {
                     let zero = RationalFunction::zero(self.model.ring);
-                    self.limit_of(&zero, &goal, ways.as_ref(), left)
+                    self.limit_of(&zero, goal, ways, moving)
                 }
                 Ok(Value::Scalar(value)) => {
                     let value = self.spelt_out(&value).ok_or_else(missing)?;
@@ -347,7 +419,7 @@ impl Checker<'_> {
                     if letters.any(|letter| behind.contains(&letter)) {
                         return Err(unsupported("a limit in which several letters move"));
                     }
-                    self.limit_of(&value, &goal, ways.as_ref(), left)
+                    self.limit_of(&value, goal, ways, moving)
                 }
             });
             if found.len() >= cases {
@@ -371,6 +443,62 @@ impl Checker<'_> {
             None if shown.is_empty() => Ok(Found::True(conditions)),
             None => Err(unsupported("a limit that differs from case to case")),
         }
+    }
+
+    /// Whether the covariances behind a limit exist near its goal: what must be positive grows, has a positive limit, or
+    /// falls to zero from above.
+    fn covariances_exist_on_the_way(
+        &mut self,
+        display: &Display,
+        link: &Link,
+        approach: &Approach,
+    ) -> bool {
+        let conditions = std::mem::take(&mut self.exact.conditions);
+        let partial = self.partial_covariances();
+        self.exact.conditions = conditions;
+        let sides = [link.left, link.right].into_iter();
+        let sides = sides.filter_map(|place| place.find(display));
+        let used = self.behind(sides, &partial);
+        let Some(letter) = self.model.letter_of_symbol(approach.symbol, 0) else {
+            return used.is_empty();
+        };
+        let functions = used.iter().flat_map(|covariance| covariance.functions());
+        let moving: Vec<RationalFunction> = functions
+            .filter(|f| self.exact.field.letters_behind(f).contains(&letter))
+            .cloned()
+            .collect();
+        if moving.is_empty() {
+            return true;
+        }
+        let Ok(ways) = self.ways(approach) else {
+            return false;
+        };
+        let (table, admissible) = (self.table(), self.admissible());
+        let grows = |way: &Way, f: &RationalFunction| {
+            matches!(way.behaviour(f, &table, &admissible),
+                Ok(Behaviour::Tends(Limit::Infinite, conditions)) if conditions.is_empty())
+        };
+        let stays_positive = |way: &Way, f: &RationalFunction| {
+            let limit = match way.behaviour(f, &table, &admissible) {
+                Ok(Behaviour::Tends(Limit::To(limit), conditions)) if conditions.is_empty() => {
+                    limit
+                }
+                Ok(_) | Err(_) => return grows(way, f),
+            };
+            match limit.is_zero() {
+                true => f.inverse().is_ok_and(|f| grows(way, &f)),
+                false => admissible.sign(&limit) == RegionSign::Positive,
+            }
+        };
+        let mut all = moving.iter();
+        all.all(|f| ways.iter().all(|way| stays_positive(way, f)))
+    }
+
+    /// What has the limit with its argument at the goal moving, where it may be meant so.
+    fn moved(&self, printed: &Expr, approach: &Approach) -> Option<Expr> {
+        let alone = approach.beside.is_empty();
+        let moved = self.model.moved(printed, &approach.letter, &approach.goal);
+        moved.filter(|_| alone)
     }
 
     /// The limit of a value on all ways to the goal, beside the printed one.
@@ -471,7 +599,7 @@ impl Checker<'_> {
     }
 
     /// The functions of the document, or none.
-    fn table(&self) -> FunctionTable {
+    pub(super) fn table(&self) -> FunctionTable {
         let model = self.model;
         let ranges = || (0..model.letters.len()).map(|l| model.range_of(l));
         match self.functions() {
@@ -523,22 +651,21 @@ fn towards(expr: &Expr) -> Option<Towards> {
     }
 }
 
-/// Puts the letter where its goal is printed as an argument; whether another end is printed so.
-fn set_moving(expr: &mut Expr, approach: &Approach) -> bool {
-    let mut elsewhere = false;
-    if let ExprKind::Apply { arguments, .. } = &mut expr.kind {
-        for argument in arguments {
-            if *argument == approach.goal {
-                argument.kind = ExprKind::Name(approach.letter.clone());
-            } else {
-                elsewhere |= towards(argument).is_some();
+/// Whether zero or infinity is printed as an argument, and the goal is none.
+fn is_elsewhere(expr: &Expr, goal: &Expr) -> bool {
+    fn list<'e>(expr: &'e Expr, found: &mut Vec<&'e Expr>) {
+        if let ExprKind::Apply { arguments, .. } = &expr.kind {
+            found.extend(arguments);
+        }
+        if varied_name(expr).is_none() {
+            for child in children(expr) {
+                list(child, found);
             }
         }
     }
-    for child in children_mut(expr) {
-        elsewhere |= set_moving(child, approach);
-    }
-    elsewhere
+    let mut found = Vec::new();
+    list(expr, &mut found);
+    found.iter().any(|a| towards(a).is_some()) && found.iter().all(|a| *a != goal)
 }
 
 fn has_integral(expr: &Expr) -> bool {

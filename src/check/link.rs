@@ -1,8 +1,10 @@
 //! The verdict on one link: what it is (a definition, a claim, something recalled), and what shows it.
 
 use super::challenge::is_decided_by_points;
+use super::divergent::Comes;
 use super::hypotheses::possible::Signs;
 use super::identity::{Decision, Insertion};
+use super::stationary::EXISTS_FOR_SOME;
 use super::{Checker, Told, index_tuples};
 use crate::evaluate::{Failure, FailureKind};
 use crate::expr::{ExprKind, Relation};
@@ -107,6 +109,10 @@ impl Checker<'_> {
         } else if let Some(reason) = self.unwritten(equation, link) {
             Verdict::Undecided {
                 reason: reason.into(),
+            }
+        } else if self.integrates_over_existence(equation, link) {
+            Verdict::Undecided {
+                reason: EXISTS_FOR_SOME.into(),
             }
         } else if link.relation == Relation::Tends {
             self.exactly(|c| {
@@ -298,8 +304,11 @@ impl Checker<'_> {
                         None => self.failed(&failure),
                     };
                 }
-                // An integral without a value equals nothing.
-                FailureKind::Divergent { reason, .. } if self.is_printed_in(equation, &failure) => {
+                // An integral without a value equals nothing that has one.
+                FailureKind::Divergent { reason, .. }
+                    if self.is_printed_in(equation, &failure)
+                        && self.only_one_has_a_value(equation, link) =>
+                {
                     let proof = CounterProof::Divergent {
                         reason: reason.clone(),
                     };
@@ -363,6 +372,20 @@ impl Checker<'_> {
             }
             Err(reason) => Verdict::Undecided { reason },
         }
+    }
+
+    /// Whether one side has a value and the other certainly none, as an integral in it diverges.
+    fn only_one_has_a_value(&mut self, equation: usize, link: &Link) -> bool {
+        let display = self.exact.display(equation).clone();
+        let (Some(left), Some(right)) = (link.left.find(&display), link.right.find(&display))
+        else {
+            return false;
+        };
+        matches!(
+            (self.comes_to(left), self.comes_to(right)),
+            (Some(Comes::ToValue(_)), Some(Comes::ToNone(_)))
+                | (Some(Comes::ToNone(_)), Some(Comes::ToValue(_)))
+        )
     }
 
     /// That what is neither positive nor negative under the hypotheses, or in a case, is zero. A point may be

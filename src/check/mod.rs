@@ -14,6 +14,7 @@ mod challenge;
 mod conditions;
 mod definite;
 mod definiteness;
+mod divergent;
 pub mod edit;
 pub mod effect;
 mod hypotheses;

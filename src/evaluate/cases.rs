@@ -74,6 +74,9 @@ enum Standing<E> {
     Between(Vec<Supposed<E>>),
 }
 
+/// What is not computed where a function has no value because its argument is none of its own.
+pub(super) const OUTSIDE_OF_RANGE: &str = "an argument outside of the range of its definition";
+
 impl<D: Domain> Evaluator<'_, D> {
     /// The result of `body` in one combination of cases, numbered from 0, and how many the definitions by
     /// cases that it met have; 0 where it met none.
@@ -296,10 +299,7 @@ impl<D: Domain> Evaluator<'_, D> {
             Ok(Standing::False) | Err(_) if by_letters => Ok(()),
             Err(failure) => Err(failure),
             Ok(Standing::True) => Ok(()),
-            Ok(Standing::False) => Err(Failure::unsupported(
-                "an argument outside of the range of its definition",
-                span,
-            )),
+            Ok(Standing::False) => Err(Failure::unsupported(OUTSIDE_OF_RANGE, span)),
             Ok(Standing::Open(supposed) | Standing::Between(supposed)) => {
                 let functions = self.field.functions();
                 let depends = |e: &D::Element| functions.is_some_and(|f| f.depends_on_bound(e));
@@ -331,8 +331,7 @@ impl<D: Domain> Evaluator<'_, D> {
                     return Err(Failure::unsupported("a condition on matrices", span));
                 };
                 if self.field.is_zero(&divisor) {
-                    let what = "an argument outside of the range of its definition";
-                    return Err(Failure::unsupported(what, span));
+                    return Err(Failure::unsupported(OUTSIDE_OF_RANGE, span));
                 }
                 let functions = self.field.functions();
                 if functions.is_some_and(|f| f.depends_on_bound(&divisor)) {

@@ -1,6 +1,7 @@
 //! Why an expression has no value.
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::expr::Sign;
 use crate::functions::Impossible;
 use crate::span::Span;
 use crate::verdict::Misfit;
@@ -70,12 +71,12 @@ pub enum FailureKind {
         /// What ran out, in words.
         what: String,
     },
-    /// An integral without a value.
+    /// An integral without a value, whatever admitted values the letters have.
     Divergent {
         /// Why.
         reason: String,
-        /// Whether it grows to plus infinity: the integrand is positive.
-        positive: bool,
+        /// The sign of the infinity that it grows to, if it is known to grow to one.
+        towards: Option<Sign>,
     },
     /// Outside of what is decided here.
     Unsupported {
@@ -94,9 +95,7 @@ impl Failure {
     pub fn impossible(why: Impossible, span: Span) -> Self {
         let kind = match why {
             Impossible::Unsupported(what) => FailureKind::Unsupported { what },
-            Impossible::Divergent { reason, positive } => {
-                FailureKind::Divergent { reason, positive }
-            }
+            Impossible::Divergent { reason, towards } => FailureKind::Divergent { reason, towards },
             Impossible::DivisionByZero => FailureKind::DivisionByZero,
             Impossible::NoLetter => FailureKind::Budget {
                 what: "different functions".into(),
@@ -108,6 +107,28 @@ impl Failure {
     /// A failure because something lies outside of what is decided.
     pub fn unsupported(what: &str, span: Span) -> Self {
         Failure::new(FailureKind::Unsupported { what: what.into() }, span)
+    }
+
+    /// Whether what is printed certainly has no value there: it divides by zero, or an argument lies outside of
+    /// the range of a definition.
+    pub(crate) fn is_without_value(&self) -> bool {
+        match &self.kind {
+            FailureKind::DivisionByZero => true,
+            FailureKind::Unsupported { what } => what == super::cases::OUTSIDE_OF_RANGE,
+            FailureKind::Shape { .. }
+            | FailureKind::Outside { .. }
+            | FailureKind::Exponent { .. }
+            | FailureKind::Ambiguous { .. }
+            | FailureKind::Undeclared { .. }
+            | FailureKind::NeedsItself
+            | FailureKind::NotStationary
+            | FailureKind::NotLinear
+            | FailureKind::Underdetermined
+            | FailureKind::Inconsistent
+            | FailureKind::Budget { .. }
+            | FailureKind::Exhausted { .. }
+            | FailureKind::Divergent { .. } => false,
+        }
     }
 
     /// The shapes that do not fit, if that is why.

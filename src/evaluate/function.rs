@@ -9,7 +9,7 @@ use super::{Evaluator, Failure, FailureKind, Value};
 use crate::domain::Domain;
 use crate::expr::{Expr, ExprKind, Function, Name, Sign};
 use crate::functions::integral::End;
-use crate::functions::{Constant, Functions, Possible, Sign as KnownSign, Supposed};
+use crate::functions::{Constant, Functions, Impossible, Possible, Sign as KnownSign, Supposed};
 use crate::latex;
 use crate::model::links::Place;
 use crate::model::names::{Resolved, literal_number};
@@ -280,8 +280,21 @@ impl<D: Domain> Evaluator<'_, D> {
         self.frame.open_integrals.pop();
         let integrand = integrand?;
         let functions = self.functions("an integral", span)?;
+        let of_matrix = matches!(integrand, Value::Matrix(_));
         let over = |entry: &D::Element| {
-            Self::possible(functions.integral(entry, &letter, &from, &to), span)
+            let value = functions.integral(entry, &letter, &from, &to);
+            // An entry says nothing of what the whole grows to.
+            let value = value.map_err(|why| match why {
+                Impossible::Divergent { reason, .. } if of_matrix => Impossible::Divergent {
+                    reason,
+                    towards: None,
+                },
+                why @ (Impossible::Unsupported(_)
+                | Impossible::Divergent { .. }
+                | Impossible::DivisionByZero
+                | Impossible::NoLetter) => why,
+            });
+            Self::possible(value, span)
         };
         integrand.try_map(over)
     }

@@ -5,6 +5,7 @@
 //! derivative, so that an antiderivative is found by undetermined coefficients: one linear system for
 //! each product of exponentials. It vanishes at infinity where its exponent tends to minus infinity.
 
+use super::divergence::uncertain;
 use super::integral::End;
 use super::{FunctionLetter, FunctionTable, Impossible, Possible};
 use crate::domain::Symbolic;
@@ -61,22 +62,34 @@ impl FunctionTable {
         let Some(groups) = self.by_exponentials(integrand, variable, &functions) else {
             return Ok(None);
         };
-        let mut sum = self.integer(0);
-        for (exponents, given) in groups {
+        let rate_of = |exponents: &[i64]| {
             let mut rate = self.integer(0);
             for (k, (_, own)) in exponents.iter().zip(&functions.exponentials) {
                 rate = &rate + &(&self.integer(*k) * own);
             }
-            let rate = self.reduce(rate);
-            let Some(found) = self.undetermined(&given, &rate, &functions) else {
+            self.reduce(rate)
+        };
+        let rates: Vec<RationalFunction> = groups.keys().map(|e| rate_of(e)).collect();
+        // Nothing cancels where powers of a positive variable all have one sign.
+        let positive = !matches!(from, End::Below) && self.is_positive(&self.variable(variable));
+        let all = || groups.values().flatten();
+        let plain = |p: &Product| p.circular.iter().all(|c| *c == (0, 0));
+        let alike = positive
+            && [Ordering::Less, Ordering::Greater].iter().any(|sign| {
+                all().all(|(p, coefficient)| plain(p) && self.sign(coefficient) == Some(*sign))
+            });
+        let mut sum = self.integer(0);
+        for (which, (exponents, given)) in groups.iter().enumerate() {
+            let rate = rates[which].clone();
+            let Some(found) = self.undetermined(given, &rate, &functions) else {
                 return Ok(None);
             };
             for coefficient in found.values() {
                 self.refuse_integer_poles(coefficient)?;
             }
-            let antiderivative = self.composed(&found, &exponents, variable, &functions)?;
+            let antiderivative = self.composed(&found, exponents, variable, &functions)?;
             let derivative = self.derivative(&antiderivative, variable)?;
-            if derivative != self.composed(&given, &exponents, variable, &functions)? {
+            if derivative != self.composed(given, exponents, variable, &functions)? {
                 return Ok(None);
             }
             let infinite = [from, to].into_iter().any(|e| !matches!(e, End::At(_)));
@@ -84,7 +97,20 @@ impl FunctionTable {
                 return Ok(None);
             }
             for (end, sign) in [(to, 1), (from, -1)] {
-                let Some(value) = self.at_end(&antiderivative, &rate, variable, end)? else {
+                let value = match self.at_end(&antiderivative, &rate, variable, end) {
+                    // Another group may grow as fast, and the coefficients of this one may vanish.
+                    Err(Impossible::Divergent { .. })
+                        if !alike
+                            && (!self.is_something(given)
+                                || rates.iter().enumerate().any(|(other, r)| {
+                                    other != which && !self.never_vanishes(&(r - &rate))
+                                })) =>
+                    {
+                        return Err(uncertain());
+                    }
+                    value => value?,
+                };
+                let Some(value) = value else {
                     return Ok(None);
                 };
                 sum = &sum + &(&self.integer(sign) * &value);
@@ -281,6 +307,18 @@ impl FunctionTable {
             sum = &sum * &self.power_of(&self.variable(*letter), *k)?;
         }
         Ok(self.reduce(sum))
+    }
+
+    /// Whether a combination is certainly not zero: one power without a sine, or a polynomial, with a coefficient that
+    /// vanishes nowhere.
+    fn is_something(&self, given: &Combination) -> bool {
+        let plain = |p: &Product| p.circular.iter().all(|c| *c == (0, 0));
+        let without_sine = |p: &Product| p.circular.iter().all(|(_, sines)| *sines == 0);
+        let independent = given.keys().all(plain) || given.len() == 1;
+        independent
+            && given.iter().any(|(product, coefficient)| {
+                without_sine(product) && self.never_vanishes(coefficient)
+            })
     }
 
     /// The value of an antiderivative with an exponential of this rate at an end.

@@ -7,8 +7,10 @@
 //! exponential polynomials go by undetermined coefficients (`exponential_integral`). An integral
 //! that diverges is said to, with the reason.
 
+use super::divergence::uncertain;
 use super::{FunctionLetter, FunctionTable, Impossible, Possible};
 use crate::domain::Symbolic;
+use crate::model::range::Numbers;
 use crate::theory::cosine_transform::correlation;
 use crate::theory::hurwitz_integral::hurwitz_integral;
 use crate::theory::spectral_factor::spectral_factor;
@@ -40,10 +42,20 @@ impl<E> End<E> {
 }
 
 /// `coefficient * variable^exponent`
-struct PowerTerm {
-    coefficient: RationalFunction,
-    exponent: RationalFunction,
+pub(super) struct PowerTerm {
+    pub coefficient: RationalFunction,
+    pub exponent: RationalFunction,
 }
+
+/// `spectrum * cos(frequency * variable)`
+#[derive(Clone)]
+pub(super) struct Spectrum {
+    pub spectrum: RationalFunction,
+    pub frequency: RationalFunction,
+}
+
+/// One more than the highest power of a cosine in an integrand.
+const MOST_ANGLES: usize = 9;
 
 impl FunctionTable {
     /// The integral of an element over a variable, a letter of the ring.
@@ -62,16 +74,22 @@ impl FunctionTable {
         }
         let value = self.integral_by_shape(integrand, variable, from, to);
         match value {
-            // A positive integrand leaves no doubt about what it grows to.
-            Err(Impossible::Divergent { reason, .. }) => Err(Impossible::Divergent {
-                reason,
-                positive: self.is_positive(integrand),
-            }),
+            Err(Impossible::Divergent { reason, .. }) => {
+                match self.has_no_principal_value(integrand, variable, from, to)? {
+                    true => Err(Impossible::Divergent {
+                        reason,
+                        towards: self.grows_towards(integrand, from, to),
+                    }),
+                    false => Err(Impossible::unsupported(
+                        "an integral that has a principal value at most",
+                    )),
+                }
+            }
             value => value,
         }
     }
 
-    fn integral_by_shape(
+    pub(super) fn integral_by_shape(
         &self,
         integrand: &RationalFunction,
         variable: usize,
@@ -97,7 +115,12 @@ impl FunctionTable {
                 if *b == Polynomial::variable(self.ring, variable))
         });
         if powers_only && let Some(terms) = self.power_terms(integrand, variable)? {
-            return self.integral_of_powers(&terms, from, to);
+            return match self.integral_of_powers(&terms, from, to) {
+                Err(Impossible::Divergent { .. }) if !self.powers_diverge(&terms, from, to) => {
+                    Err(uncertain())
+                }
+                value => value,
+            };
         }
         if let Some(value) = self.with_modulus(integrand, variable, from, to)? {
             return Ok(value);
@@ -351,7 +374,14 @@ impl FunctionTable {
         let degree = |p: &Polynomial| i64::from(p.degree(variable).unwrap_or(0));
         let excess = degree(spectrum.denominator()) - degree(spectrum.numerator());
         let factor = spectral_factor(self, spectrum, variable);
-        if excess < 2 && !matches!(factor, Err(Impossible::Divergent { .. })) {
+        let pole = matches!(factor, Err(Impossible::Divergent { .. }));
+        if (excess < 2 || pole) && !self.quotient_diverges(spectrum, variable)? {
+            return Err(match pole {
+                true => Impossible::unsupported("an integral over a pole"),
+                false => uncertain(),
+            });
+        }
+        if excess < 2 && !pole {
             return Err(Impossible::divergent(match excess {
                 1 => "the integrand falls off no faster than the reciprocal of the variable",
                 0 => "the integrand does not vanish at infinity",
@@ -364,7 +394,8 @@ impl FunctionTable {
             .ok_or_else(|| Impossible::unsupported("this integral"))
     }
 
-    /// `A + B cos(k variable)`: A must be integrable by itself, B has a cosine transform.
+    /// `A + B cos(k variable)`, also with multiple angles, which powers of the cosine are: A must be integrable by itself,
+    /// B has a cosine transform; poles of both that cancel are taken out before. Over the whole axis nothing is left of a sine beside an even factor.
     fn integral_with_cosine(
         &self,
         integrand: &RationalFunction,
@@ -385,46 +416,190 @@ impl FunctionTable {
             return Err(beyond());
         }
         let below: RationalFunction = below.clone().into();
-        let mut rest = integrand.numerator().clone();
-        let mut sum = RationalFunction::zero(self.ring);
+        let over = |p: &Polynomial| RationalFunction::from(p.clone()).checked_div(&below);
+        let mut cosine = None;
+        let mut parts = vec![integrand.numerator().clone()];
         for (letter, function) in kernels {
-            let parts = rest.coefficients_in(*letter);
-            if parts.len() > 2 {
-                return Err(beyond());
-            }
-            rest = parts
-                .first()
-                .cloned()
-                .unwrap_or_else(|| Polynomial::zero(self.ring));
-            let Some(coefficient) = parts.get(1) else {
-                continue;
-            };
-            if kernels
-                .iter()
-                .any(|(l, _)| coefficient.degree(*l) > Some(0))
-            {
-                return Err(beyond());
-            }
-            let spectrum = RationalFunction::from(coefficient.clone()).checked_div(&below)?;
-            if function.as_cosine().is_some() {
-                sum = &sum + &self.cosine_integral(&spectrum, variable, &frequency, half)?;
-            } else if !half && is_even(&spectrum, variable) {
-                // The sine is odd: over the whole axis nothing is left beside an even factor, if that is
-                // integrable by itself.
-                self.integral_of_spectrum(&spectrum, variable)?;
-                if !self.is_real(&frequency) {
-                    return Err(beyond());
-                }
-            } else {
-                return Err(beyond());
+            match function.as_cosine() {
+                Some(_) => cosine = Some(*letter),
+                None => parts = parts[0].coefficients_in(*letter),
             }
         }
-        if !rest.is_zero() {
-            let rest = RationalFunction::from(rest).checked_div(&below)?;
-            let value = self.integral_of_spectrum(&rest, variable)?;
-            sum = &sum + &self.over_axis(&value, half)?;
+        let powers = |p: &Polynomial| match cosine {
+            Some(letter) => p.coefficients_in(letter),
+            None => vec![p.clone()],
+        };
+        let has_sine = match parts.as_slice() {
+            [_] => false,
+            [_, beside] => {
+                for factor in powers(beside) {
+                    let spectrum = over(&factor)?;
+                    if half || !is_even(&spectrum, variable) || !self.is_real(&frequency) {
+                        return Err(beyond());
+                    }
+                    self.vanishing_with_sine(&spectrum, variable, &frequency)?;
+                }
+                true
+            }
+            _ => return Err(beyond()),
+        };
+        let powers = powers(&parts[0])
+            .iter()
+            .map(over)
+            .collect::<std::result::Result<Vec<_>, _>>()?;
+        if powers.len() > MOST_ANGLES {
+            return Err(beyond());
+        }
+        let mut spectra = self.multiple_angles(&powers);
+        let rest = spectra.remove(0);
+        let alone = rest.is_zero() && !has_sine;
+        let spectra: Vec<Spectrum> = (1_i64..)
+            .zip(spectra)
+            .filter(|(_, spectrum)| !spectrum.is_zero())
+            .map(|(multiple, spectrum)| Spectrum {
+                frequency: self.reduce(&self.integer(multiple) * &frequency),
+                spectrum,
+            })
+            .collect();
+        if alone
+            && !self.distributions
+            && let [one] = spectra.as_slice()
+            && let Some(reason) = self.cosine_diverges(&one.spectrum, variable)?
+        {
+            return Err(Impossible::divergent(reason));
+        }
+        let sum = self
+            .cosines_and_rest(&rest, &spectra, variable)
+            .map_err(|why| match why {
+                Impossible::Divergent { .. } => uncertain(),
+                why @ (Impossible::Unsupported(_)
+                | Impossible::DivisionByZero
+                | Impossible::NoLetter) => why,
+            })?;
+        self.over_axis(&sum, half)
+    }
+
+    /// That an even factor of the odd sine has an integral by itself, or as a distribution: then the two have
+    /// none but zero over the whole axis.
+    fn vanishing_with_sine(
+        &self,
+        spectrum: &RationalFunction,
+        variable: usize,
+        frequency: &RationalFunction,
+    ) -> Possible<()> {
+        let (_, proper) = self.white_part(spectrum, variable, frequency)?;
+        if proper.is_zero() {
+            return Ok(());
+        }
+        match self.integral_of_spectrum(&proper, variable) {
+            // Where the frequency vanishes the sine does, too.
+            Err(Impossible::Divergent { .. }) => Err(uncertain()),
+            value => value.map(|_| ()),
+        }
+    }
+
+    /// Why `B cos(k variable)` certainly has no integral over the axis, whatever k.
+    fn cosine_diverges(
+        &self,
+        spectrum: &RationalFunction,
+        variable: usize,
+    ) -> Possible<Option<&'static str>> {
+        let degree = |p: &Polynomial| p.degree(variable).unwrap_or(0);
+        let (above, below) = (spectrum.numerator(), spectrum.denominator());
+        let never = |p: Option<&Polynomial>| {
+            p.is_some_and(|p| self.never_vanishes(&RationalFunction::from(p.clone())))
+        };
+        let coefficients = above.coefficients_in(variable);
+        if degree(above) >= degree(below) && never(coefficients.last()) {
+            return Ok(Some(match degree(above) > degree(below) {
+                true => "the integrand grows towards infinity",
+                false => "the integrand oscillates without end",
+            }));
+        }
+        // The cosine is one where its argument is zero.
+        let pole = below.coefficients_in(variable);
+        let pole = pole.first().is_some_and(Polynomial::is_zero);
+        Ok((pole && never(coefficients.first())).then_some("the integrand has a pole at zero"))
+    }
+
+    /// The coefficients of 1, cos x, cos 2x and so on of a polynomial in cos x.
+    fn multiple_angles(&self, powers: &[RationalFunction]) -> Vec<RationalFunction> {
+        // By Horner's scheme, with 2 cos x cos kx = cos (k + 1)x + cos (k - 1)x.
+        let half = RationalFunction::constant(self.ring, BigRational::new(1.into(), 2.into()));
+        let mut sum = vec![self.integer(0); powers.len().max(1)];
+        for power in powers.iter().rev() {
+            let mut next = vec![self.integer(0); sum.len()];
+            for (k, c) in sum.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+                match k {
+                    0 => next[1] = &next[1] + c,
+                    _ => {
+                        let c = &half * c;
+                        next[k - 1] = &next[k - 1] + &c;
+                        next[k + 1] = &next[k + 1] + &c;
+                    }
+                }
+            }
+            next[0] = &next[0] + power;
+            sum = next;
+        }
+        sum
+    }
+
+    /// `1/pi` times the integral of A and several `B cos(k variable)` over the half axis.
+    fn cosines_and_rest(
+        &self,
+        rest: &RationalFunction,
+        spectra: &[Spectrum],
+        variable: usize,
+    ) -> Possible<RationalFunction> {
+        let regular = self.without_removable_poles(rest, spectra, variable)?;
+        let mut sum = regular.value;
+        for one in regular.spectra.iter().filter(|s| !s.spectrum.is_zero()) {
+            sum = &sum + &self.cosine_integral(&one.spectrum, variable, &one.frequency)?;
+        }
+        if !regular.rest.is_zero() {
+            sum = &sum + &self.integral_of_spectrum(&regular.rest, variable)?;
         }
         Ok(self.reduce(sum))
+    }
+
+    /// What a spectrum tends to at infinity, which is white, and the rest of it, which decays.
+    fn white_part(
+        &self,
+        spectrum: &RationalFunction,
+        variable: usize,
+        frequency: &RationalFunction,
+    ) -> Possible<(RationalFunction, RationalFunction)> {
+        let degree = |p: &Polynomial| p.degree(variable).unwrap_or(0);
+        let (above, below) = (degree(spectrum.numerator()), degree(spectrum.denominator()));
+        if above < below {
+            return Ok((self.integer(0), spectrum.clone()));
+        }
+        // A distribution in the frequency, which letters stand for. At a number, also at one with a letter of its own, the
+        // oscillation goes on for ever.
+        if above > below || !self.distributions || !self.is_continuous(frequency) {
+            return Err(Impossible::unsupported(
+                "an integral of what does not decay",
+            ));
+        }
+        let last = |p: &Polynomial| -> RationalFunction {
+            let mut coefficients = p.coefficients_in(variable);
+            coefficients
+                .pop()
+                .unwrap_or_else(|| Polynomial::zero(self.ring))
+                .into()
+        };
+        let white = last(spectrum.numerator()).checked_div(&last(spectrum.denominator()))?;
+        let proper = self.reduce(spectrum - &white);
+        Ok((white, proper))
+    }
+
+    /// Whether a frequency is made of real letters.
+    fn is_continuous(&self, frequency: &RationalFunction) -> bool {
+        let behind = self.letters_behind(frequency);
+        let mut declared = behind.iter().filter(|letter| **letter < self.first);
+        let real = |letter: &usize| self.ranges[*letter].numbers == Numbers::Real;
+        declared.clone().next().is_some() && declared.all(real)
     }
 
     fn cosine_integral(
@@ -432,34 +607,10 @@ impl FunctionTable {
         spectrum: &RationalFunction,
         variable: usize,
         frequency: &RationalFunction,
-        half: bool,
     ) -> Possible<RationalFunction> {
-        let degree = |p: &Polynomial| p.degree(variable).unwrap_or(0);
-        let (above, below) = (degree(spectrum.numerator()), degree(spectrum.denominator()));
-        if above > below {
-            return Err(Impossible::divergent(
-                "the integrand grows towards infinity",
-            ));
-        }
+        let (white, proper) = self.white_part(spectrum, variable, frequency)?;
         let mut value = RationalFunction::zero(self.ring);
-        let mut proper = spectrum.clone();
-        if above == below {
-            let last = |p: &Polynomial| -> RationalFunction {
-                let mut coefficients = p.coefficients_in(variable);
-                coefficients
-                    .pop()
-                    .unwrap_or_else(|| Polynomial::zero(self.ring))
-                    .into()
-            };
-            // What the spectrum tends to is white: a distribution in the frequency. At a number the
-            // oscillation goes on for ever.
-            if !self.distributions || frequency.as_constant().is_some() {
-                return Err(Impossible::divergent(
-                    "the integrand oscillates without end",
-                ));
-            }
-            let white = last(spectrum.numerator()).checked_div(&last(spectrum.denominator()))?;
-            proper = &proper - &white;
+        if !white.is_zero() {
             value = &white * &self.dirac(frequency)?;
         }
         if !proper.is_zero() {
@@ -467,11 +618,11 @@ impl FunctionTable {
             let time = self.absolute(frequency)?;
             value = &value + &correlation(self, &factor, &time)?;
         }
-        self.over_axis(&value, half)
+        Ok(value)
     }
 }
 
-fn is_even(f: &RationalFunction, variable: usize) -> bool {
+pub(super) fn is_even(f: &RationalFunction, variable: usize) -> bool {
     let parity = |p: &Polynomial, odd: usize| {
         let coefficients = p.coefficients_in(variable);
         coefficients

@@ -24,6 +24,7 @@ mod angle;
 mod bounds;
 mod calculus;
 mod distribution;
+mod divergence;
 mod elementary;
 pub mod enclosure;
 mod estimate;
@@ -35,6 +36,7 @@ mod monotone;
 mod parity;
 pub mod quadratic;
 mod refinement;
+mod removable;
 mod root;
 mod sign;
 mod supposition;
@@ -45,7 +47,7 @@ pub use sign::{Sign, SignCertificate, SignFact};
 pub use supposition::Supposed;
 pub(crate) use tower::square_root_of;
 
-use crate::expr::Function;
+use crate::expr::{self, Function};
 use crate::model::range::Range;
 use integral::End;
 use quadratic::Quadratic;
@@ -128,12 +130,12 @@ impl FunctionLetter {
 pub enum Impossible {
     /// It lies outside of what is decided.
     Unsupported(String),
-    /// An integral without a value.
+    /// An integral without a value, whatever admitted values the letters have.
     Divergent {
         /// Why.
         reason: String,
-        /// Whether the integrand is positive, so that it grows to plus infinity.
-        positive: bool,
+        /// The sign of the infinity that it grows to, if it is known to grow to one.
+        towards: Option<expr::Sign>,
     },
     /// A divisor vanishes.
     DivisionByZero,
@@ -149,7 +151,7 @@ impl Impossible {
     pub(crate) fn divergent(reason: &str) -> Self {
         Impossible::Divergent {
             reason: reason.into(),
-            positive: false,
+            towards: None,
         }
     }
 }

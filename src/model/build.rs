@@ -877,6 +877,7 @@ impl Builder {
         }
         if report.is_empty() {
             model.name_abbreviations();
+            model.name_moving_arguments();
             return Ok(model);
         }
         report.sort_by_key(|d| d.span);

@@ -9,6 +9,7 @@ mod conditions;
 mod cycles;
 pub mod degree;
 mod letters;
+pub mod limits;
 pub mod links;
 pub mod matrices;
 pub mod names;

@@ -1,7 +1,7 @@
 //! How a limit looks at points on the way there: a second opinion beside the verdict, which decides
 //! nothing.
 
-use super::{Approach, set_moving, towards};
+use super::{Approach, towards};
 use crate::check::Checker;
 use crate::domain::Symbolic;
 use crate::evaluate::{Evaluator, Value};
@@ -61,8 +61,7 @@ impl Checker<'_> {
         case: &mut Case,
     ) -> Option<bool> {
         let end = towards(&approach.goal)?;
-        let mut moving = left.clone();
-        set_moving(&mut moving, approach);
+        let moving = self.moved(left, approach).unwrap_or_else(|| left.clone());
         let mut at = |expr: &Expr, power| {
             let point = self.at_point(expr, approach.symbol, end, power, case);
             Some(point?.0)

@@ -5,9 +5,11 @@
 
 use super::super::Checker;
 use super::Standing;
-use crate::expr::Expr;
+use crate::domain::Domain;
+use crate::expr::{Expr, ExprKind, Name};
 use crate::model::Node;
 use crate::model::links::Link;
+use crate::model::names::Resolved;
 use crate::verdict::Verdict;
 use num_rational::BigRational;
 use ratpoly::{RationalFunction, RegionSign};
@@ -23,11 +25,27 @@ pub(in crate::check) struct PartialCovariance {
     /// What must be positive there, or not negative, in the declared symbols.
     functions: Vec<RationalFunction>,
     strict: bool,
+    /// Whether it is not known to exist for all of them.
+    partial: bool,
+}
+
+impl PartialCovariance {
+    /// What must be positive, or not negative, for it to exist.
+    pub(in crate::check) fn functions(&self) -> &[RationalFunction] {
+        &self.functions
+    }
 }
 
 impl Checker<'_> {
     /// The covariances that are not known to exist for all admitted values.
     pub(in crate::check) fn partial_covariances(&mut self) -> Vec<PartialCovariance> {
+        let mut all = self.demanding_covariances();
+        all.retain(|covariance| covariance.partial);
+        all
+    }
+
+    /// The covariances whose existence depends on letters.
+    fn demanding_covariances(&mut self) -> Vec<PartialCovariance> {
         let own = self.model.covariances();
         let own = own.filter(|(_, _, covariance)| covariance.left == covariance.right);
         let nodes: Vec<Node> = own.map(|(_, node, _)| node).collect();
@@ -36,18 +54,68 @@ impl Checker<'_> {
             let Some((demand, _)) = self.demand(node) else {
                 continue;
             };
-            let functions = match self.standing(&demand) {
-                Standing::Exists | Standing::Never(_) => continue,
-                Standing::Where(functions) => functions,
-                Standing::Unknown => demand.functions,
+            let (functions, partial) = match self.standing(&demand) {
+                Standing::Never(_) => continue,
+                Standing::Exists => (demand.functions, false),
+                Standing::Where(functions) => (functions, true),
+                Standing::Unknown => (demand.functions, true),
             };
             found.push(PartialCovariance {
                 node,
                 functions: functions.iter().filter_map(|f| self.spelt(f)).collect(),
                 strict: demand.strict,
+                partial,
             });
         }
         found
+    }
+
+    /// Whether a link integrates over a letter on which the existence of a covariance depends: whether it exists
+    /// between the ends is not looked at. Where it exists for all real values it does.
+    pub(in crate::check) fn integrates_over_existence(
+        &mut self,
+        equation: usize,
+        link: &Link,
+    ) -> bool {
+        if self.model.covariances().next().is_none() {
+            return false;
+        }
+        let mut integrals: Vec<(Name, Expr)> = Vec::new();
+        let display = self.exact.display(equation);
+        for side in [link.left, link.right] {
+            if let Some(side) = side.find(display) {
+                let of = |equation: usize| self.exact.display(equation);
+                self.model.visit_behind(side, &of, &mut |e| {
+                    if let ExprKind::Integral { body, variable, .. } = &e.kind {
+                        integrals.push((variable.clone(), (**body).clone()));
+                    }
+                });
+            }
+        }
+        if integrals.is_empty() {
+            return false;
+        }
+        let conditions = std::mem::take(&mut self.exact.conditions);
+        let covariances = self.demanding_covariances();
+        self.exact.conditions = conditions;
+        integrals.iter().any(|(variable, body)| {
+            let Ok(Resolved::Letter { symbol, order: 0 }) =
+                self.model.resolve(variable, &|_| false)
+            else {
+                return false;
+            };
+            let Some(letter) = self.model.letter_of_symbol(symbol, 0) else {
+                return false;
+            };
+            let range = &self.model.symbols[symbol].range;
+            let bounded = range.low.is_some() || range.high.is_some();
+            let behind = self.behind([body].into_iter(), &covariances);
+            behind.iter().any(|covariance| {
+                let mut functions = covariance.functions.iter();
+                (covariance.partial || bounded)
+                    && functions.any(|f| self.exact.field.letters_behind(f).contains(&letter))
+            })
+        })
     }
 
     /// Whether what is needed for a covariance to exist is so where these letters have these values, whatever
