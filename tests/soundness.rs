@@ -47,6 +47,8 @@ mod sizes;
 mod solved;
 #[path = "soundness/statements.rs"]
 mod statements;
+#[path = "soundness/supports.rs"]
+mod supports;
 #[path = "soundness/textbook.rs"]
 mod textbook;
 #[path = "soundness/unwritten.rs"]

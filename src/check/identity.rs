@@ -66,7 +66,7 @@ impl Checker<'_> {
         for (indices, left, right) in sides {
             entries.extend(self.paired(&left, &right, &indices, both)?);
         }
-        Ok(entries)
+        self.at_supports(equation, link, entries, both)
     }
 
     fn paired(
