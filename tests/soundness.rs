@@ -37,6 +37,8 @@ mod places;
 mod prints;
 #[path = "soundness/readings.rs"]
 mod readings;
+#[path = "soundness/references.rs"]
+mod references;
 #[path = "soundness/says.rs"]
 mod says;
 #[path = "soundness/signs.rs"]

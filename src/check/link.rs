@@ -175,6 +175,10 @@ impl Checker<'_> {
                         .ok()
                         .flatten()
                         .or_else(|| self.in_cartesian_form(equation, link))
+                        .or_else(|| {
+                            let reason = self.words_of_broken(equation)?;
+                            Some(Verdict::Undecided { reason })
+                        })
                         .unwrap_or(verdict),
                 }
             }
