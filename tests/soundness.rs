@@ -35,6 +35,8 @@ mod one_case;
 mod places;
 #[path = "soundness/prints.rs"]
 mod prints;
+#[path = "soundness/random_letters.rs"]
+mod random_letters;
 #[path = "soundness/readings.rs"]
 mod readings;
 #[path = "soundness/references.rs"]
