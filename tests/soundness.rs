@@ -13,6 +13,8 @@ mod corrected;
 mod corrections;
 #[path = "soundness/dots.rs"]
 mod dots;
+#[path = "soundness/elasticities.rs"]
+mod elasticities;
 #[path = "soundness/enclosures.rs"]
 mod enclosures;
 #[path = "soundness/expectations.rs"]

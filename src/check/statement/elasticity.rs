@@ -20,6 +20,15 @@ impl Ground {
             .ok()
     }
 
+    /// The elasticity at the reference point. Where the quantity is zero there it has none, though what
+    /// vanishes may have cancelled before.
+    pub(super) fn elasticity_here(&self, f: &RationalFunction, x: usize) -> Option<BigRational> {
+        if self.vanishes_here(f) {
+            return None;
+        }
+        self.at(&self.elasticity(f, x)?)
+    }
+
     /// The elasticity at the reference point and its range over the box, and what the box's least
     /// value of the letter alone does.
     pub(super) fn elasticity_facts(
@@ -29,7 +38,7 @@ impl Ground {
         p: &Proposition,
     ) -> Vec<Fact> {
         let mut facts = Vec::new();
-        let Some(elasticity) = self.elasticity(f, x) else {
+        let Some(elasticity) = self.elasticity(f, x).filter(|_| !self.vanishes_here(f)) else {
             return facts;
         };
         if let Some(value) = self.at(&elasticity) {
@@ -222,10 +231,11 @@ impl Ground {
             let fact = Fact::Sign(subject, Sign::Zero, Scope::Everywhere);
             return Found::of(VerdictWord::Holds, vec![fact]);
         }
-        let elasticity = self.elasticity(f, x).and_then(|e| self.at(&e));
-        let word = match &elasticity {
+        let word = match self.elasticity_here(f, x) {
             Some(value) if value.abs() <= p.tolerance => VerdictWord::Loose,
-            _ => VerdictWord::Refuted,
+            // What is the same there whatever the letter is, though it has no elasticity.
+            None if self.vanishes_on_lines(&derivative, &[x]) => VerdictWord::Loose,
+            Some(_) | None => VerdictWord::Refuted,
         };
         let mut found = Found::of(word, self.elasticity_facts(f, x, p));
         // That it does depend on the letter is shown by one value of the derivative.
@@ -246,6 +256,11 @@ impl Ground {
         };
         if self.has_no_value(f) {
             return self.without_value(&[f]);
+        }
+        if self.vanishes_here(f) {
+            return Found::undecided(
+                "at the reference values the quantity is zero: it has no elasticity there",
+            );
         }
         let Some(value) = self.at(&elasticity) else {
             return self.without_value(&[&elasticity]);
