@@ -33,14 +33,15 @@ impl<'m> Checker<'m> {
         if self.is_multiple(equation, link, &stated) {
             return undecided("the stated hypothesis is the claim itself".into());
         }
-        // No point of the document's own numbers shows anything where what is stated holds.
-        if let Some(reason) = self.words_of_broken(equation) {
-            return undecided(reason);
-        }
+        // Then the document's own numbers are put aside: only a point at which what is stated holds shows anything.
+        let broken = self.words_of_broken(equation);
         let conditions = self.exact.conditions.clone();
         let mut under = match self.suppose(&stated) {
             Ok(under) => under,
-            Err(unusable) => return undecided(format!("as stated: {}", self.words_of(&unusable))),
+            Err(unusable) => {
+                let words = || format!("as stated: {}", self.words_of(&unusable));
+                return undecided(broken.unwrap_or_else(words));
+            }
         };
         let (proof, false_there) = under.proof_where_supposed(equation, link);
         self.diagnostics.append(&mut under.diagnostics);
@@ -48,11 +49,10 @@ impl<'m> Checker<'m> {
         let vanishing = under.vanishing_divisor().is_some() || under.divides_by_relation();
         let Some(proof) = proof else {
             self.exact.conditions = conditions;
-            let Some(found) = false_there.or_else(|| self.violated(equation, link)) else {
-                return undecided(
-                    "it is false without the stated hypothesis, and neither proved nor shown false with it"
-                        .into(),
-                );
+            let there = false_there.filter(|_| broken.is_none());
+            let Some(found) = there.or_else(|| self.violated(equation, link)) else {
+                let neither = "it is false without the stated hypothesis, and neither proved nor shown false with it";
+                return undecided(broken.unwrap_or_else(|| neither.into()));
             };
             let residual = std::mem::take(&mut refutation.residual);
             *refutation = found.with_residual(residual);
@@ -60,6 +60,9 @@ impl<'m> Checker<'m> {
         };
         if vanishing {
             return undecided("a divisor vanishes under the stated hypotheses".into());
+        }
+        if let Some(reason) = broken {
+            return undecided(reason);
         }
         let texts = &model.equations[equation].settings.given;
         let given = Given {

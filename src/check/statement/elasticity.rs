@@ -259,7 +259,7 @@ impl Ground {
         }
         if self.vanishes_here(f) {
             return Found::undecided(
-                "at the reference values the quantity is zero: it has no elasticity there",
+                "the elasticity has no value at the reference values, where the quantity is zero",
             );
         }
         let Some(value) = self.at(&elasticity) else {
