@@ -37,6 +37,8 @@ mod one_case;
 mod places;
 #[path = "soundness/prints.rs"]
 mod prints;
+#[path = "soundness/plain_text.rs"]
+mod plain_text;
 #[path = "soundness/random_letters.rs"]
 mod random_letters;
 #[path = "soundness/readings.rs"]
