@@ -19,6 +19,8 @@ mod elasticities;
 mod enclosures;
 #[path = "soundness/expectations.rs"]
 mod expectations;
+#[path = "soundness/floating.rs"]
+mod floating;
 #[path = "soundness/functions.rs"]
 mod functions;
 #[path = "soundness/mod.rs"]
