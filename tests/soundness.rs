@@ -5,6 +5,8 @@
 mod admitted;
 #[path = "soundness/arms.rs"]
 mod arms;
+#[path = "soundness/boxes.rs"]
+mod boxes;
 #[allow(dead_code)]
 mod common;
 #[path = "soundness/corrected.rs"]

@@ -7,7 +7,7 @@
 //! is equal in all cases that may have it is equal.
 
 use super::Checker;
-use super::sides::CASE;
+use super::sides::{CASE, Sides};
 use crate::evaluate::Failure;
 use crate::functions::{FunctionLetter, FunctionTable, Functions, Sign, Supposed};
 use crate::model::links::Link;
@@ -105,6 +105,70 @@ impl Checker<'_> {
             }
         }
         Ok(entries)
+    }
+}
+
+impl Checker<'_> {
+    /// Whether something in the sides of a link, as they are before anything cancels there, has no value where a
+    /// distribution in them stands: a divisor that vanishes, or a range that does not reach so far.
+    pub(super) fn has_no_value_at_a_support(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        sides: &Sides<RationalFunction>,
+    ) -> bool {
+        let Some(table) = self.functions().cloned() else {
+            return false;
+        };
+        let elements = || {
+            let both = sides.iter().flat_map(|(_, left, right)| [left, right]);
+            both.flat_map(|side| side.entries())
+        };
+        let mut found: Vec<RationalFunction> = Vec::new();
+        for (_, argument) in elements().flat_map(|f| table.distributions(f)) {
+            if !found.contains(&argument) {
+                found.push(argument);
+            }
+        }
+        if found.is_empty() {
+            return false;
+        }
+        let mut divisors: Vec<RationalFunction> = Vec::new();
+        for condition in &self.exact.conditions {
+            divisors.push(condition.divisor.clone());
+        }
+        for letter in elements().flat_map(|f| table.letters_behind(f)) {
+            if let Some(value) = self.inserted.get(&letter) {
+                divisors.push(value.denominator().clone().into());
+            }
+        }
+        let by_cases = sides
+            .iter()
+            .any(|(indices, ..)| indices.iter().any(|(name, _)| name == CASE));
+        let range = match by_cases {
+            true => Vec::new(),
+            false => match self.suppositions_of(equation, link, 0) {
+                Some(supposed) => supposed,
+                None => return true,
+            },
+        };
+        found.iter().any(|argument| {
+            let Some(place) = self.spelt_out(argument).and_then(|u| place_of(&table, &u)) else {
+                return false;
+            };
+            let vanishes = |divisor: &RationalFunction| {
+                let image = [(place.0, place.1.clone())];
+                let there = self
+                    .spelt_out(divisor)
+                    .map(|d| table.substitute(&d, &image));
+                !matches!(there, Some(Ok(there)) if !there.is_zero())
+            };
+            let reaches = || match at(&table, &range, &place) {
+                Some(there) => there.is_empty() || stand(&table, &there) == Stand::Inside,
+                None => false,
+            };
+            divisors.iter().any(vanishes) || !reaches()
+        })
     }
 }
 

@@ -193,3 +193,100 @@ fn what_counts_is_the_value_where_a_distribution_stands() {
         open.len()
     );
 }
+
+const POLES: &str = r"# What cancels where a distribution stands
+
+```toml symbols
+x = {}
+a = { positive = true }
+'\xi' = {}
+```
+
+```toml notation
+'\delta' = { dirac = true }
+```
+
+```math named define
+s = \frac{1}{x}, \quad r = \frac{1}{x - 1}
+```
+
+```math f define
+f(\xi) = \frac{1}{\xi}
+```
+
+```math m define
+m(\xi) = \xi^2, \quad 0 < \xi < 2
+```
+";
+
+#[test]
+fn what_has_no_value_where_a_distribution_stands_is_open() {
+    let mut draw = Draw::new(12);
+    let mut claims = Vec::new();
+    let shifted = |by: usize| ["x", "(x - 1)"][by].to_string();
+    while claims.len() < 240 {
+        let [place, pole] = [(); 2].map(|()| draw.below(2));
+        let power = draw.below(3);
+        let delta = [r"\delta(x)", r"\delta(x - 1)"][place];
+        let factor = match power {
+            0 => String::new(),
+            1 => shifted(place),
+            _ => format!("{}^2", shifted(place)),
+        };
+        let inverse = match draw.below(4) {
+            0 => ["s", "r"][pole].to_string(),
+            1 => ["f(x)", "f(x - 1)"][pole].to_string(),
+            2 => format!(r"\frac{{1}}{{{}}}", shifted(pole)),
+            _ => format!(r"\frac{{a}}{{a{}}}", shifted(pole)),
+        };
+        // 1 over 0 - 1, or over 1 - 0.
+        let value = match (power, place) {
+            (0, 0) => "-",
+            (0, _) => "",
+            _ => "0",
+        };
+        let right = draw.coin();
+        let said = match (right, value) {
+            (true, "0") => "0".to_string(),
+            (true, sign) => format!("{sign}{delta}"),
+            (false, _) => format!("2{delta}"),
+        };
+        let truth = match (place == pole, right) {
+            (true, _) => Truth::Open,
+            (false, true) => Truth::True,
+            (false, false) => Truth::False,
+        };
+        let inside = format!("{factor}{inverse}{delta}");
+        claims.push(match draw.below(3) {
+            0 => {
+                let number =
+                    said.replace(delta, if said == format!("2{delta}") { "" } else { "1" });
+                Claim::plain(format!(r"\int_{{-3}}^3 {inside}\,dx = {number}"), truth)
+            }
+            1 => Claim::plain(format!(r"a{inside} = a\left({said}\right)"), truth),
+            _ => Claim::plain(format!("{inside} = {said}"), truth),
+        });
+    }
+    for (claim, truth) in [
+        (r"xs\delta(x) = xs\delta(x) + 0", Truth::Open),
+        (r"\frac{x\delta(x)}{x} = \delta(x)", Truth::Open),
+        (r"\frac{x^2s}{x}\delta(x) = \delta(x)", Truth::Open),
+        (r"\frac{\sin x}{x} \cdot x\delta(x) = 0", Truth::Open),
+        (r"x\delta(x) = 0", Truth::True),
+        (r"\frac{x}{a}\delta(x) = 0", Truth::True),
+        (r"m(x)\delta(x - 1) = \delta(x - 1)", Truth::True),
+        (r"m(x)\delta(x - 3) = 9\delta(x - 3)", Truth::Open),
+        (r"m(x)\delta(x) = 0", Truth::Open),
+        (r"m(x)\delta(x - 2) = 4\delta(x - 2)", Truth::Open),
+        ("xs = 1", Truth::True),
+    ] {
+        claims.push(Claim::plain(claim, truth));
+    }
+    let with_truth = claims.iter().filter(|c| c.has_truth()).count();
+    let open = undecided(POLES, &claims);
+    assert!(
+        2 * open.len() < with_truth,
+        "{} of {with_truth}: {open:#?}",
+        open.len()
+    );
+}

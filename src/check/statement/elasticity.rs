@@ -93,8 +93,9 @@ impl Ground {
                 "of a letter that is not real only derivatives of one sign tell",
             );
         }
-        // Across a pole it does not go on as the derivative says.
+        // Across a pole it does not go on as the derivative says; in a box the points may lie outside of it.
         if found.word == VerdictWord::Undecided
+            && !p.only_in_box
             && let Some(points) = self.against(f, x, increasing)
         {
             let here = self.at(&derivative);
@@ -190,8 +191,22 @@ impl Ground {
         if self.range_of(x).numbers != Numbers::Real {
             return Found::undecided("a letter that is not real");
         }
-        let line = self.sign(&derivative, &Scope::Line(x));
         let facts = self.elasticity_facts(f, x, p);
+        if p.only_in_box {
+            let study = self.sign(&derivative, &Scope::Box(self.sides(p)));
+            let word = match study.sign {
+                _ if !study.poles.is_empty() => {
+                    return Found::undecided("it has a pole where it is meant").and(facts);
+                }
+                Some(Sign::Both) => VerdictWord::Holds,
+                Some(_) => VerdictWord::Refuted,
+                None => return Found::undecided("the sign of the derivative is out of reach"),
+            };
+            let mut found = Found::of(word, Vec::new());
+            found.add_study(subject, study);
+            return found.and(facts);
+        }
+        let line = self.sign(&derivative, &Scope::Line(x));
         if line.sign == Some(Sign::Both) {
             let fact = Fact::Sign(subject, Sign::Both, Scope::Line(x));
             return Found::of(VerdictWord::Holds, vec![fact])
