@@ -39,10 +39,10 @@ mod monotone;
 mod one_case;
 #[path = "soundness/places.rs"]
 mod places;
-#[path = "soundness/prints.rs"]
-mod prints;
 #[path = "soundness/plain_text.rs"]
 mod plain_text;
+#[path = "soundness/prints.rs"]
+mod prints;
 #[path = "soundness/random_letters.rs"]
 mod random_letters;
 #[path = "soundness/readings.rs"]
