@@ -10,9 +10,9 @@ use crate::audit::Audit;
 use crate::check;
 use crate::domain::Symbolic;
 use crate::evaluate;
-use crate::expr::Display;
+use crate::expr::{Display, Relation};
 use crate::latex::{self, Signature};
-use crate::model::{Model, Role};
+use crate::model::{Equation, Model, Role};
 use crate::numeric::LyapunovMethod;
 use crate::numeric::agreement::Agreement;
 use crate::numeric::evaluate::Evaluator;
@@ -20,7 +20,7 @@ use crate::numeric::point::{NamedPoint, Point};
 use crate::numeric::value::Value;
 use crate::progress::{Unwatched, Watch};
 use crate::stack::{in_parallel, with_deep_stack};
-use crate::verdict::Verdict;
+use crate::verdict::{Outcome, Verdict};
 pub(crate) use exact::exact_point;
 use exact::{AtPoint, Prepared, in_order, number};
 use num_rational::BigRational;
@@ -150,7 +150,9 @@ impl Comparison {
             };
             let display = exact.display(outcome.equation).clone();
             let ranged = !display.clauses[link.left.clause()].ranges.is_empty();
-            if !is_claim || equation.role != Role::Claim || ranged {
+            // What is no equation has no error, and at a point at which a hypothesis does not hold there need be none.
+            let equal = link.relation == Relation::Equal && is_unconditional(outcome, equation);
+            if !is_claim || equation.role != Role::Claim || ranged || !equal {
                 continue;
             }
             let sides = link.left.find(&display).zip(link.right.find(&display));
@@ -276,6 +278,23 @@ impl Comparison {
             .map(|r| &self.subjects[r.subject])
             .collect()
     }
+}
+
+/// Whether a verdict rests on the definitions alone, and on no hypothesis.
+fn is_unconditional(outcome: &Outcome, equation: &Equation) -> bool {
+    let stated = match &outcome.verdict {
+        Verdict::HoldsGiven(given, _) => given.implied_by.is_empty(),
+        Verdict::Misprint { correction, .. } => {
+            let given = correction.given.as_ref();
+            given.is_some_and(|given| given.implied_by.is_empty())
+        }
+        Verdict::Holds { .. }
+        | Verdict::Refuted(_)
+        | Verdict::Undecided { .. }
+        | Verdict::Definition { .. }
+        | Verdict::Recalled { .. } => false,
+    };
+    equation.assume.is_empty() && !stated
 }
 
 /// The corrected displays in the place of the printed ones.

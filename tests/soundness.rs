@@ -5,6 +5,8 @@
 mod admitted;
 #[path = "soundness/arms.rs"]
 mod arms;
+#[path = "soundness/boxes.rs"]
+mod boxes;
 #[allow(dead_code)]
 mod common;
 #[path = "soundness/corrected.rs"]
@@ -13,10 +15,14 @@ mod corrected;
 mod corrections;
 #[path = "soundness/dots.rs"]
 mod dots;
+#[path = "soundness/elasticities.rs"]
+mod elasticities;
 #[path = "soundness/enclosures.rs"]
 mod enclosures;
 #[path = "soundness/expectations.rs"]
 mod expectations;
+#[path = "soundness/floating.rs"]
+mod floating;
 #[path = "soundness/functions.rs"]
 mod functions;
 #[path = "soundness/mod.rs"]
@@ -35,10 +41,16 @@ mod monotone;
 mod one_case;
 #[path = "soundness/places.rs"]
 mod places;
+#[path = "soundness/plain_text.rs"]
+mod plain_text;
 #[path = "soundness/prints.rs"]
 mod prints;
+#[path = "soundness/random_letters.rs"]
+mod random_letters;
 #[path = "soundness/readings.rs"]
 mod readings;
+#[path = "soundness/references.rs"]
+mod references;
 #[path = "soundness/says.rs"]
 mod says;
 #[path = "soundness/signs.rs"]
@@ -49,6 +61,8 @@ mod sizes;
 mod solved;
 #[path = "soundness/statements.rs"]
 mod statements;
+#[path = "soundness/supports.rs"]
+mod supports;
 #[path = "soundness/textbook.rs"]
 mod textbook;
 #[path = "soundness/unwritten.rs"]

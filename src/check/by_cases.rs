@@ -111,6 +111,17 @@ impl Checker<'_> {
                 return (!case).then(Vec::new);
             }
         };
+        self.suppositions_of(equation, link, number)
+    }
+
+    /// What is supposed in the case with this number, from 0; where no definition by cases is met, that arguments lie in
+    /// the ranges of their functions.
+    pub(super) fn suppositions_of(
+        &mut self,
+        equation: usize,
+        link: &Link,
+        number: usize,
+    ) -> Option<Vec<Supposed<RationalFunction>>> {
         let display = self.exact.display(equation).clone();
         let (left, right) = (link.left.find(&display)?, link.right.find(&display)?);
         let clause = &display.clauses[link.left.clause()];

@@ -234,15 +234,12 @@ impl<'m> Checker<'m> {
         if self.is_inequality_of_moments(equation, link) {
             return None;
         }
-        // What the document's own numbers break is no hypothesis of it.
-        let given: &'m [Hypothesis] = &self.model.equations[equation].given;
-        let all: Vec<&'m Hypothesis> = given.iter().collect();
-        let broken = self.breaks_reference(&all);
-        // Nor is a point shown by what is stated and holds nowhere.
-        if broken && self.suppose(&all).is_err() {
+        let stated: &'m [Hypothesis] = &self.model.equations[equation].given;
+        let all: Vec<&'m Hypothesis> = stated.iter().collect();
+        // No point is shown by what is stated and holds nowhere.
+        if self.breaks_reference(&all) && self.suppose(&all).is_err() {
             return None;
         }
-        let stated = if broken { &[] } else { given };
         let shown = self.points_apart(equation, link, stated).apart?;
         Some(Refutation::at(self.witness_of(&shown)))
     }

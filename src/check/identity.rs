@@ -53,6 +53,10 @@ impl Checker<'_> {
         let before = std::mem::take(&mut self.exact.conditions);
         let sides = sides_of(&mut self.exact, &display, link, span);
         let vanishing = self.vanishing_divisor();
+        let valueless = match &sides {
+            Ok(sides) => self.has_no_value_at_a_support(equation, link, sides),
+            Err(_) => false,
+        };
         for condition in before {
             if !self.exact.conditions.contains(&condition) {
                 self.exact.conditions.push(condition);
@@ -62,11 +66,15 @@ impl Checker<'_> {
         if let Some(failure) = vanishing {
             return Err(failure);
         }
+        if valueless {
+            let what = "a factor that may have no value where a distribution stands";
+            return Err(Failure::unsupported(what, both));
+        }
         let mut entries = Vec::new();
         for (indices, left, right) in sides {
             entries.extend(self.paired(&left, &right, &indices, both)?);
         }
-        Ok(entries)
+        self.at_supports(equation, link, entries, both)
     }
 
     fn paired(

@@ -37,6 +37,9 @@ impl Checker<'_> {
         {
             refutation.part = None;
         }
+        if let Verdict::Refuted(refutation) | Verdict::Misprint { refutation, .. } = &mut verdict {
+            refutation.contradicted = self.words_of_broken(equation);
+        }
         // Nothing is said of what has no value; a correction was proved to have one.
         let said = match &verdict {
             Verdict::Holds { .. } | Verdict::HoldsGiven(..) | Verdict::Definition { .. } => true,
@@ -181,6 +184,10 @@ impl Checker<'_> {
                         .ok()
                         .flatten()
                         .or_else(|| self.in_cartesian_form(equation, link))
+                        .or_else(|| {
+                            let reason = self.words_of_broken(equation)?;
+                            Some(Verdict::Undecided { reason })
+                        })
                         .unwrap_or(verdict),
                 }
             }
@@ -357,8 +364,10 @@ impl Checker<'_> {
                 }
                 // What it lacks is a hypothesis; an edit would be an invention.
                 if let Some((part, witness)) = self.part(&entries) {
-                    // Where a side has no value nothing is shown.
-                    let mut on_part = match self.has_no_value_at(equation, link, &witness) {
+                    // Where a side has no value nothing is shown, nor where what is stated need not hold.
+                    let stated = !self.model.equations[equation].given.is_empty();
+                    let mut on_part = match stated || self.has_no_value_at(equation, link, &witness)
+                    {
                         true => refutation.clone(),
                         false => Refutation::at(witness),
                     };

@@ -37,6 +37,7 @@ mod sides;
 mod sizes;
 mod statement;
 mod stationary;
+mod supports;
 pub(crate) mod trial;
 mod units;
 mod unwritten;

@@ -79,8 +79,11 @@ impl Checker<'_> {
                 "a hypothesis is about the time: whether it holds at a moment or always is not written",
             );
         }
-        if moments && self.has_covariance_of_constants() {
-            return Some("a covariance is declared of letters that are functions of nothing");
+        if !self.random_constants().is_empty() && self.has_expectations(equation, link) {
+            return Some(
+                "a covariance is declared of letters that are functions of nothing: declare them as \
+                 functions of the time",
+            );
         }
         if self.ties_processes(equation) && (moments || self.has_moments(equation, link)) {
             return Some(
@@ -364,40 +367,88 @@ impl Checker<'_> {
         self.model.symbols[symbol].function_of.is_some()
     }
 
-    /// Whether a process stands in an expression outside of expectations.
+    /// Whether a process, or another random letter, stands in an expression outside of expectations.
     pub(super) fn is_random(&self, expr: &Expr) -> bool {
+        self.is_random_beside(expr, &self.random_constants())
+    }
+
+    fn is_random_beside(&self, expr: &Expr, constants: &BTreeSet<usize>) -> bool {
         let model = self.model;
         let name = match &expr.kind {
             ExprKind::Expectation(_) => return false,
             ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => Some(name),
             _ => None,
         };
+        let random = |s: usize| self.is_process(s) || constants.contains(&s);
         let own = name.is_some_and(|name| match model.resolve(name, &|_| false) {
-            Ok(Resolved::Letter { symbol, .. }) => self.is_process(symbol),
+            Ok(Resolved::Letter { symbol, .. }) => random(symbol),
             Ok(Resolved::Node { node, .. }) => {
                 let behind = model.symbols_behind(node, &|e| model.display(e));
-                behind.into_iter().any(|s| self.is_process(s))
+                behind
+                    .into_iter()
+                    .chain(self.symbols_named_by(node))
+                    .any(random)
             }
             Ok(Resolved::Bound(_) | Resolved::Primed { .. } | Resolved::Indexed { .. })
             | Err(_) => false,
         });
         own || children(expr)
             .into_iter()
-            .any(|child| self.is_random(child))
+            .any(|child| self.is_random_beside(child, constants))
     }
 
-    /// Whether a covariance is that of a vector in which nothing is a process.
-    fn has_covariance_of_constants(&self) -> bool {
+    /// The letters of random vectors in which nothing is a process: by their declaration they are numbers.
+    pub(super) fn random_constants(&self) -> BTreeSet<usize> {
         let model = self.model;
-        model.covariances().any(|(_, _, covariance)| {
-            let mut nodes = BTreeSet::new();
-            model.collect(&covariance.product, &mut nodes);
-            let mut behind = nodes.into_iter().flat_map(|n| match n {
-                Node::Symbol(symbol) => BTreeSet::from([symbol]),
-                node => model.symbols_behind(node, &|e| model.display(e)),
-            });
-            let mut letters = behind.by_ref().peekable();
-            letters.peek().is_some() && !letters.any(|s| self.is_process(s))
-        })
+        let display = |equation: usize| model.display(equation);
+        let mut found = BTreeSet::new();
+        for (_, _, covariance) in model.covariances() {
+            for vector in [&covariance.left, &covariance.right] {
+                let mut letters = BTreeSet::new();
+                model.visit_behind(vector, &display, &mut |e| {
+                    if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
+                        letters.extend(self.symbols_named(name));
+                    }
+                });
+                if !letters.iter().any(|s| self.is_process(*s)) {
+                    found.extend(letters);
+                }
+            }
+        }
+        found
+    }
+
+    /// The declared letters that a name stands for: its own, or the entries of its matrix.
+    pub(super) fn symbols_named(&self, name: &Name) -> Vec<usize> {
+        match self.model.resolve(name, &|_| false) {
+            Ok(Resolved::Letter { symbol, .. }) => vec![symbol],
+            Ok(Resolved::Node { node, .. }) => self.symbols_named_by(node),
+            Ok(Resolved::Bound(_) | Resolved::Primed { .. } | Resolved::Indexed { .. })
+            | Err(_) => Vec::new(),
+        }
+    }
+
+    /// The entries of a declared matrix.
+    fn symbols_named_by(&self, node: Node) -> Vec<usize> {
+        let Node::Matrix(matrix) = node else {
+            return Vec::new();
+        };
+        let symbols = self.model.symbols.iter().enumerate();
+        let own = symbols.filter(|(_, s)| matches!(s.entry_of, Some((m, ..)) if m == matrix));
+        own.map(|(symbol, _)| symbol).collect()
+    }
+
+    /// Whether an expectation stands in a link or behind it.
+    fn has_expectations(&self, equation: usize, link: &Link) -> bool {
+        let display = |e: usize| self.exact.display(e);
+        let mut found = false;
+        for place in [link.left, link.right] {
+            if let Some(side) = place.find(display(equation)) {
+                self.model.visit_behind(side, &display, &mut |e| {
+                    found |= matches!(e.kind, ExprKind::Expectation(_));
+                });
+            }
+        }
+        found
     }
 }

@@ -88,8 +88,10 @@ impl Evaluator<'_, '_> {
         for (_, node, covariance) in covariances {
             let left = self.forms(&covariance.left, &letters)?;
             let right = self.forms(&covariance.right, &letters)?;
+            // A letter that is random and a function of nothing is no constant, and none of these letters.
             let (Some(left), Some(right)) = (left, right) else {
-                continue;
+                let what = "an expectation beside a random quantity that is not linear";
+                return Err(Reason::Unsupported(what).at(span));
             };
             for (row, a) in left.iter().enumerate() {
                 for (column, b) in right.iter().enumerate() {

@@ -274,12 +274,31 @@ impl<D: Domain> Evaluator<'_, D> {
             .open_integrals
             .push((letter.clone(), from.clone(), to.clone()));
         self.frame.integrals += 1;
+        let before = std::mem::take(&mut self.conditions);
         let integrand = self.with_symbols(vec![(symbol, letter.clone())], |e| e.expression(body));
+        let inside = std::mem::replace(&mut self.conditions, before);
         self.frame.integrals -= 1;
         self.frame.between.truncate(outer);
         self.frame.open_integrals.pop();
+        for condition in &inside {
+            if !self.conditions.contains(condition) {
+                self.conditions.push(condition.clone());
+            }
+        }
         let integrand = integrand?;
         let functions = self.functions("an integral", span)?;
+        let variable = self.field.letters(&letter).first().copied();
+        let vanishes = |condition: &super::Condition<D::Element>| {
+            let entries = integrand.entries();
+            variable.is_some_and(|l| {
+                let at = |f: &D::Element| functions.vanishes_at_a_support(f, l, &condition.divisor);
+                entries.into_iter().any(at)
+            })
+        };
+        if inside.iter().any(vanishes) {
+            let what = "an integral over a factor that has no value where a distribution stands";
+            return Err(Failure::unsupported(what, span));
+        }
         let of_matrix = matches!(integrand, Value::Matrix(_));
         let over = |entry: &D::Element| {
             let value = functions.integral(entry, &letter, &from, &to);

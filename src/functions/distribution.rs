@@ -47,7 +47,7 @@ impl FunctionTable {
     }
 
     /// The distributions that occur in an element.
-    pub(super) fn distributions(&self, f: &RationalFunction) -> Vec<(usize, RationalFunction)> {
+    pub(crate) fn distributions(&self, f: &RationalFunction) -> Vec<(usize, RationalFunction)> {
         let letters = f.numerator().variables_occurring().into_iter();
         let meanings = letters.filter_map(|letter| match self.meaning(letter) {
             Some(FunctionLetter::Dirac(u)) => Some((letter, u)),
@@ -122,7 +122,7 @@ impl FunctionTable {
 
     /// Where an argument vanishes as a function of a letter in which it is linear, with the slope there, which
     /// has a sign.
-    pub(super) fn simple_zero(
+    pub(crate) fn simple_zero(
         &self,
         argument: &RationalFunction,
         letter: usize,

@@ -212,6 +212,8 @@ pub trait Functions<E> {
     fn value_where(&self, element: &E, supposed: &[Supposed<E>]) -> Possible<E>;
     /// Whether an element depends on the variable of an integral.
     fn depends_on_bound(&self, element: &E) -> bool;
+    /// Whether a divisor vanishes, or has no value, where a distribution in an element stands, as functions of a letter.
+    fn vanishes_at_a_support(&self, element: &E, letter: usize, divisor: &E) -> bool;
 }
 
 /// What a look at the meaning of a letter counts in the steps of an allowance: its argument is copied.
@@ -514,5 +516,18 @@ impl Functions<RationalFunction> for FunctionTable {
         self.letters_behind(element)
             .into_iter()
             .any(|letter| Functions::is_bound(self, letter))
+    }
+    fn vanishes_at_a_support(
+        &self,
+        element: &RationalFunction,
+        letter: usize,
+        divisor: &RationalFunction,
+    ) -> bool {
+        let places = self.distributions(element).into_iter();
+        let mut places = places.filter_map(|(_, u)| self.simple_zero(&u, letter));
+        places.any(|(zero, _)| {
+            let there = self.substitute(divisor, &[(letter, zero)]);
+            there.is_ok_and(|there| there.is_zero())
+        })
     }
 }

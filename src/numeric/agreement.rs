@@ -71,7 +71,8 @@ fn digits(value: &BigRational, exact: &BigRational, scale: &BigRational) -> f64 
     }
     let top = error * scale.denom();
     let bottom = value.denom() * exact.denom() * scale.numer();
-    (-log10(top.magnitude(), bottom.magnitude())).clamp(0.0, MOST_DIGITS)
+    // Zero digits have no sign.
+    (-log10(top.magnitude(), bottom.magnitude())).clamp(0.0, MOST_DIGITS) + 0.0
 }
 
 /// `log10` of a quotient of positive integers of any size, to about 15 digits.

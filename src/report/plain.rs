@@ -98,6 +98,9 @@ const SYMBOLS: [(&str, &str); 28] = [
     ("det", "det "),
 ];
 
+/// Spaces inside of a formula.
+const SPACES: [&str; 5] = ["\\,", "\\;", "\\:", "\\ ", "\\!"];
+
 struct Reader<'l> {
     rest: &'l str,
     out: String,
@@ -111,7 +114,7 @@ impl Reader<'_> {
             }
             match c {
                 '\\' => self.command(),
-                '{' => self.read(Some('}')),
+                '{' => self.group(),
                 '}' => {}
                 '^' | '_' => self.script(c),
                 '&' => self.out.push(' '),
@@ -154,15 +157,39 @@ impl Reader<'_> {
         tidy(&std::mem::replace(&mut self.out, before))
     }
 
+    /// A group: what has an exponent as a whole gets brackets.
+    fn group(&mut self) {
+        let start = self.rest;
+        let before = std::mem::take(&mut self.out);
+        self.read(Some('}'));
+        let inner = std::mem::replace(&mut self.out, before);
+        let latex = &start[..start.len() - self.rest.len()];
+        let latex = latex.strip_suffix('}').unwrap_or(latex);
+        let several = || factors(latex) > 1 || inner.contains(['^', '+', '-', '/', '·']);
+        match self.after() == Next::Script && several() {
+            true => self.out += &format!("({})", tidy(&inner)),
+            false => self.out += &inner,
+        }
+    }
+
+    /// A script. An index is a word; an exponent without braces is one letter or one number.
     fn script(&mut self, mark: char) {
         let inner = self.argument();
         self.out = self.out.trim_end().to_string();
-        match (mark, inner.as_str()) {
-            ('^', "T") => self.out.push_str("^T"),
-            (_, i) if i.chars().count() == 1 || i.chars().all(char::is_alphanumeric) => {
-                self.out += &format!("{mark}{inner}");
-            }
-            _ => self.out += &format!("{mark}{{{inner}}}"),
+        let digits = inner.chars().all(|c| c.is_ascii_digit());
+        let bare = match mark {
+            '_' => inner.chars().all(char::is_alphanumeric),
+            _ => digits,
+        };
+        // A digit that comes next would belong to it.
+        let ends = !inner.ends_with(|c: char| c.is_ascii_digit())
+            || !self
+                .rest
+                .trim_start()
+                .starts_with(|c: char| c.is_ascii_digit());
+        match (bare || inner.chars().count() == 1) && ends {
+            true => self.out += &format!("{mark}{inner}"),
+            false => self.out += &format!("{mark}{{{inner}}}"),
         }
     }
 
@@ -200,11 +227,9 @@ impl Reader<'_> {
                 };
                 let quotient = format!("{}/{bottom}", bracketed(&top));
                 // Beside another factor a quotient needs brackets: 2 1/x reads as 21/x, a/b c as a/(bc).
-                let number = bottom.chars().all(|c| c.is_ascii_digit());
                 let before = self.out.trim_end().chars().next_back();
-                let after = self.after();
-                let beside = before.is_some_and(ends_factor) || !number && after == Next::Factor;
-                match !derivative && (beside || after == Next::Script) {
+                let beside = before.is_some_and(|c| ends_factor(c) || c == '/');
+                match !derivative && (beside || self.after() != Next::Other) {
                     true => self.out += &format!("({quotient})"),
                     false => self.out += &quotient,
                 }
@@ -282,7 +307,13 @@ impl Reader<'_> {
 
     /// What comes next in the LaTeX.
     fn after(&self) -> Next {
-        let rest = self.rest.trim_start();
+        let mut rest = self.rest.trim_start();
+        while let Some(behind) = SPACES.iter().find_map(|space| rest.strip_prefix(space)) {
+            rest = behind.trim_start();
+        }
+        if rest.starts_with("\\{") {
+            return Next::Factor;
+        }
         let control = rest.strip_prefix('\\').map(|word| {
             let end = word.find(|c: char| !c.is_ascii_alphabetic());
             &word[..end.unwrap_or(word.len())]
@@ -319,7 +350,9 @@ impl Reader<'_> {
                     false => Next::Factor,
                 }
             }
-            (Some(c), None) if c.is_alphanumeric() || matches!(c, '(' | '[' | '{') => Next::Factor,
+            (Some(c), None) if c.is_alphanumeric() || matches!(c, '(' | '[' | '{' | '|') => {
+                Next::Factor
+            }
             (_, None) => Next::Other,
         }
     }
@@ -483,7 +516,7 @@ mod tests {
             ("\\frac{1}{2 \\det \\mathbf{H}}", "1/(2 det H)"),
             ("\\frac{x}{d_A m_A^2}", "x/(d_A m_A^2)"),
             ("\\frac{a}{12\\tilde{b}_{ij}}", "a/(12b~_ij)"),
-            ("\\frac12 x", "1/2 x"),
+            ("\\frac12 x", "(1/2) x"),
             ("\\frac{a}{12}", "a/12"),
             ("\\frac{d}{d\\Omega}", "d/dΩ"),
             ("\\frac{d_A}{d_R m}", "d_A/(d_R m)"),

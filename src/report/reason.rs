@@ -36,6 +36,11 @@ pub fn reason(audit: &Audit, formulas: &Formulas, outcome: &Outcome) -> Prose {
             .words(" as assumed");
     }
     line = line.then(with_corrections(audit, outcome));
+    if let Verdict::Refuted(refutation) | Verdict::Misprint { refutation, .. } = &outcome.verdict
+        && let Some(contradicted) = &refutation.contradicted
+    {
+        line = line.words(format!("; {contradicted}"));
+    }
     let instances = instances(audit, outcome);
     // What holds for any size says no sizes.
     let holds = matches!(

@@ -192,6 +192,11 @@ fn refutation_blocks(
                 .words("."),
         ));
     }
+    if let Some(contradicted) = &refutation.contradicted {
+        blocks.push(Block::paragraph(
+            Prose::of(contradicted.clone()).capitalised().words("."),
+        ));
+    }
     if let Some(part) = &refutation.part {
         blocks.push(Block::paragraph(
             Prose::of("On a part of its domain it is true: it holds ")

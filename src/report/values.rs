@@ -14,6 +14,7 @@ use crate::theory::determinant::{cofactor, determinant};
 use num_rational::BigRational;
 use num_traits::Zero;
 use ratpoly::RationalFunction;
+use std::collections::BTreeSet;
 
 /// Largest order whose cofactors are listed.
 const LARGEST_ORDER: usize = 8;
@@ -71,6 +72,8 @@ pub struct Quantities<'m> {
     model: &'m Model,
     /// The quantities without process letters, in the order of the document.
     pub list: Vec<Quantity>,
+    /// The names of those with functions in them, whose values need not be rational.
+    pub with_functions: Vec<String>,
     /// The values of the abbreviations in the declared symbols, by letter.
     pub inserted: Vec<(usize, RationalFunction)>,
 }
@@ -84,6 +87,7 @@ impl<'m> Quantities<'m> {
         let mut quantities = Quantities {
             model,
             list: Vec::new(),
+            with_functions: Vec::new(),
             inserted,
         };
         quantities.definitions(&mut exact);
@@ -93,24 +97,34 @@ impl<'m> Quantities<'m> {
     }
 
     fn push(&mut self, name: String, kind: Kind, value: Value<RationalFunction>) {
-        let free = value.entries().into_iter().all(|e| self.is_constant(e));
-        if free && !self.list.iter().any(|q| q.name == name) {
+        let entries = value.entries();
+        if !entries.iter().all(|e| self.is_constant(e)) {
+            return;
+        }
+        let functions = entries.iter().any(|e| self.has_functions(e));
+        if functions && !self.with_functions.contains(&name) {
+            self.with_functions.push(name);
+        } else if !functions && !self.list.iter().any(|q| q.name == name) {
             self.list.push(Quantity { name, kind, value });
         }
     }
 
+    fn has_functions(&self, f: &RationalFunction) -> bool {
+        let function = |l: &usize| matches!(self.model.letters[*l], Letter::Function { .. });
+        occurring(f).iter().any(function)
+    }
+
     /// Whether no process occurs: only such quantities have values at a point.
     fn is_constant(&self, f: &RationalFunction) -> bool {
-        [f.numerator(), f.denominator()].iter().all(|p| {
-            p.variables_occurring()
-                .iter()
-                .all(|l| match self.model.letters[*l] {
-                    Letter::Symbol { symbol, order } => {
-                        order == 0 && self.model.symbols[symbol].function_of.is_none()
-                    }
-                    Letter::Abbreviation { .. } => true,
-                    Letter::Function { .. } => false,
-                })
+        let letters = match &self.model.functions {
+            Some(table) => table.letters_behind(f),
+            None => occurring(f),
+        };
+        letters.into_iter().all(|l| match self.model.letters[l] {
+            Letter::Symbol { symbol, order } => {
+                order == 0 && self.model.symbols[symbol].function_of.is_none()
+            }
+            Letter::Abbreviation { .. } | Letter::Function { .. } => true,
         })
     }
 
@@ -237,17 +251,34 @@ impl<'m> Quantities<'m> {
         point
     }
 
+    /// Whether each declared letter behind a rational function has a value at a point, so that where it has none itself
+    /// it divides by zero.
+    pub fn has_values(&self, f: &RationalFunction, point: &[Option<BigRational>]) -> bool {
+        occurring(f).into_iter().all(|letter| {
+            let mut inserted = self.inserted.iter().filter(|(l, _)| *l == letter);
+            match inserted.next() {
+                Some((_, value)) => occurring(value).into_iter().all(|l| point[l].is_some()),
+                None => point[letter].is_some(),
+            }
+        })
+    }
+
     /// A rational function at a point; none where a letter of it has no value or it has a pole.
     pub fn at(&self, f: &RationalFunction, point: &[Option<BigRational>]) -> Option<BigRational> {
-        let known = [f.numerator(), f.denominator()]
-            .iter()
-            .all(|p| p.variables_occurring().iter().all(|l| point[*l].is_some()));
+        let known = occurring(f).into_iter().all(|l| point[l].is_some());
         let point: Vec<BigRational> = point
             .iter()
             .map(|v| v.clone().unwrap_or_else(BigRational::zero))
             .collect();
         known.then(|| f.evaluate(&point).ok()).flatten()
     }
+}
+
+/// The letters in a rational function.
+fn occurring(f: &RationalFunction) -> BTreeSet<usize> {
+    let parts = [f.numerator(), f.denominator()];
+    let letters = parts.iter().flat_map(|p| p.variables_occurring());
+    letters.collect()
 }
 
 fn value(exact: &mut Evaluator<'_, Symbolic>, key: Key) -> Option<Value<RationalFunction>> {

@@ -32,6 +32,28 @@ struct Point {
     name: String,
     parameters: Ordered<Number>,
     quantities: Vec<Quantity>,
+    /// What has no rational number here.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    left_out: Vec<LeftOut>,
+}
+
+/// A quantity without numbers.
+#[derive(Debug, Serialize)]
+struct LeftOut {
+    name: String,
+    why: Why,
+}
+
+/// Why there is no rational number.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Why {
+    /// Roots or other functions occur in it.
+    Functions,
+    /// It divides by what is zero at the point.
+    Pole,
+    /// A letter of it has no value.
+    Letters,
 }
 
 #[derive(Debug, Serialize)]
@@ -119,7 +141,15 @@ fn point(
         })
         .collect();
     let entry = |f: &RationalFunction| quantities.at(f, &point).map(|v| Number::of(&v));
-    let listed = quantities.list.iter().filter_map(|quantity| {
+    let functions = quantities.with_functions.iter();
+    let mut left_out: Vec<LeftOut> = functions
+        .map(|name| LeftOut {
+            name: name.clone(),
+            why: Why::Functions,
+        })
+        .collect();
+    let mut listed = Vec::new();
+    for quantity in &quantities.list {
         let (shape, entries) = match &quantity.value {
             Value::Scalar(f) => ([1, 1], vec![vec![entry(f)]]),
             Value::Matrix(m) => (
@@ -128,19 +158,29 @@ fn point(
                     .map(|i| (0..m.columns()).map(|j| entry(&m[(i, j)])).collect())
                     .collect(),
             ),
-            Value::Zero => return None,
+            Value::Zero => continue,
         };
-        let known = entries.iter().flatten().any(Option::is_some);
-        known.then(|| Quantity {
-            name: quantity.name.clone(),
-            kind: quantity.kind.as_str(),
-            shape,
-            entries,
-        })
-    });
+        let name = quantity.name.clone();
+        if entries.iter().flatten().any(Option::is_some) {
+            listed.push(Quantity {
+                name,
+                kind: quantity.kind.as_str(),
+                shape,
+                entries,
+            });
+        } else {
+            let all = quantity.value.entries().into_iter();
+            let why = match all.into_iter().all(|f| quantities.has_values(f, &point)) {
+                true => Why::Pole,
+                false => Why::Letters,
+            };
+            left_out.push(LeftOut { name, why });
+        }
+    }
     Point {
         name,
         parameters: Ordered(parameters),
-        quantities: listed.collect(),
+        quantities: listed,
+        left_out,
     }
 }

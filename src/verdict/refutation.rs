@@ -19,6 +19,9 @@ pub struct Refutation {
     pub residual: Vec<ResidualEntry>,
     /// Where it is true all the same, if it is false only on a part of its domain.
     pub part: Option<Part>,
+    /// That the document's own values contradict what it states of the equation, in words: then the point that shows
+    /// it false is none of theirs.
+    pub contradicted: Option<String>,
 }
 
 /// What shows that a claim is false.
@@ -99,6 +102,7 @@ impl Refutation {
             searched: None,
             residual: Vec::new(),
             part: None,
+            contradicted: None,
         }
     }
 

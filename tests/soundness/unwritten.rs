@@ -50,6 +50,11 @@ impl Claim {
             truth,
         }
     }
+
+    /// Whether it is true or false.
+    pub fn has_truth(&self) -> bool {
+        self.truth != Open
+    }
 }
 
 /// Audits all claims in one document; those with a truth that are not decided.

@@ -2,13 +2,17 @@
 //! equation is false without them, and named in its verdict.
 
 use crate::check::Checker;
-use crate::check::identity::{Decision, Insertion};
+use crate::check::identity::{Decision, Insertion, letters_of};
 use crate::evaluate::Value;
-use crate::expr::Relation;
+use crate::expr::{Chain, Relation};
+use crate::latex;
 use crate::model::links::Link;
-use crate::model::{Hypothesis, Role};
-use crate::verdict::{Given, Proof, Refutation, Verdict};
-use num_traits::Zero;
+use crate::model::{Hypothesis, Letter, Role};
+use crate::verdict::{Given, PointValue, Proof, Refutation, Verdict};
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use ratpoly::RationalFunction;
+use std::cmp::Ordering;
 
 impl<'m> Checker<'m> {
     /// The verdict on a link that is false without the hypotheses that the document states; none where
@@ -29,10 +33,15 @@ impl<'m> Checker<'m> {
         if self.is_multiple(equation, link, &stated) {
             return undecided("the stated hypothesis is the claim itself".into());
         }
+        // Then the document's own numbers are put aside: only a point at which what is stated holds shows anything.
+        let broken = self.words_of_broken(equation);
         let conditions = self.exact.conditions.clone();
         let mut under = match self.suppose(&stated) {
             Ok(under) => under,
-            Err(unusable) => return undecided(format!("as stated: {}", self.words_of(&unusable))),
+            Err(unusable) => {
+                let words = || format!("as stated: {}", self.words_of(&unusable));
+                return undecided(broken.unwrap_or_else(words));
+            }
         };
         let (proof, false_there) = under.proof_where_supposed(equation, link);
         self.diagnostics.append(&mut under.diagnostics);
@@ -40,11 +49,10 @@ impl<'m> Checker<'m> {
         let vanishing = under.vanishing_divisor().is_some() || under.divides_by_relation();
         let Some(proof) = proof else {
             self.exact.conditions = conditions;
-            let Some(found) = false_there.or_else(|| self.violated(equation, link)) else {
-                return undecided(
-                    "it is false without the stated hypothesis, and neither proved nor shown false with it"
-                        .into(),
-                );
+            let there = false_there.filter(|_| broken.is_none());
+            let Some(found) = there.or_else(|| self.violated(equation, link)) else {
+                let neither = "it is false without the stated hypothesis, and neither proved nor shown false with it";
+                return undecided(broken.unwrap_or_else(|| neither.into()));
             };
             let residual = std::mem::take(&mut refutation.residual);
             *refutation = found.with_residual(residual);
@@ -53,8 +61,8 @@ impl<'m> Checker<'m> {
         if vanishing {
             return undecided("a divisor vanishes under the stated hypotheses".into());
         }
-        if self.breaks_reference(&stated) {
-            return undecided("the reference values break the stated hypothesis".into());
+        if let Some(reason) = broken {
+            return undecided(reason);
         }
         let texts = &model.equations[equation].settings.given;
         let given = Given {
@@ -151,36 +159,94 @@ impl<'m> Checker<'m> {
 
     /// Whether the document's own numbers are none at which the hypotheses hold.
     pub(in crate::check) fn breaks_reference(&mut self, hypotheses: &[&Hypothesis]) -> bool {
+        self.broken_by_reference(hypotheses).is_some()
+    }
+
+    /// The first of these hypotheses that the document's own numbers break, by its number, with the letters whose
+    /// values do so.
+    fn broken_by_reference(&mut self, hypotheses: &[&Hypothesis]) -> Option<(usize, Vec<usize>)> {
         if hypotheses.is_empty() {
-            return false;
+            return None;
         }
-        let point = self.reference_point();
-        hypotheses.iter().any(|h| {
-            let Ok(Value::Scalar(value)) = self.exact.expression_without_cases(&h.difference())
-            else {
-                return false;
-            };
-            let all = self.insertion(&self.inserted.keys().copied().collect::<Vec<_>>());
-            let Ok(value) = value.substitute(&all.letters) else {
-                return true;
-            };
-            let letters = super::super::identity::letters_of([&value]);
-            if !letters.iter().all(|l| self.has_reference(*l)) {
-                return false;
+        let conditions = self.exact.conditions.clone();
+        let mut all = hypotheses.iter().enumerate();
+        let found = all.find_map(|(k, h)| Some((k, self.broken_by(h)?)));
+        self.exact.conditions = conditions;
+        found
+    }
+
+    /// The letters whose reference values break a hypothesis, if they do.
+    fn broken_by(&mut self, hypothesis: &Hypothesis) -> Option<Vec<usize>> {
+        let difference = hypothesis.difference();
+        let Ok(Value::Scalar(value)) = self.exact.expression_without_cases(&difference) else {
+            return None;
+        };
+        let inserted = self.spelt_out(&value);
+        let plain = |l: &usize| !self.is_function(*l);
+        let letters: Vec<usize> = match (&inserted, self.functions()) {
+            (Some(f), Some(table)) => table.letters_behind(f).into_iter().collect(),
+            (Some(f), None) => letters_of([f]).into_iter().collect(),
+            (None, _) => letters_of([&value]).into_iter().collect(),
+        };
+        let letters: Vec<usize> = letters.into_iter().filter(plain).collect();
+        // Where it has no value at the document's numbers it does not hold there.
+        let Some(value) = inserted else {
+            return Some(letters);
+        };
+        if !letters.iter().all(|l| self.has_reference(*l)) {
+            return None;
+        }
+        let point: Vec<Option<BigRational>> =
+            self.reference_point().into_iter().map(Some).collect();
+        let below = RationalFunction::from(value.denominator().clone());
+        let sign = match self.certain_value(&value, &point) {
+            Some(PointValue::Exact(number)) => number.cmp(&BigRational::zero()),
+            Some(PointValue::Between(low, _)) if low.is_positive() => Ordering::Greater,
+            Some(PointValue::Between(_, high)) if high.is_negative() => Ordering::Less,
+            Some(PointValue::Between(..) | PointValue::Complex(_)) => return None,
+            None => {
+                let pole = self.certain_value(&below, &point);
+                let pole = matches!(pole, Some(PointValue::Exact(zero)) if zero.is_zero());
+                return pole.then_some(letters);
             }
-            let Ok(number) = value.evaluate(&point) else {
-                return true;
-            };
-            let sign = number.cmp(&num_rational::BigRational::zero());
-            !match h.relation {
-                Relation::Equal => sign.is_eq(),
-                Relation::NotEqual => sign.is_ne(),
-                Relation::Less => sign.is_lt(),
-                Relation::LessEqual => sign.is_le(),
-                Relation::Greater => sign.is_gt(),
-                Relation::GreaterEqual => sign.is_ge(),
-                Relation::Approximately | Relation::Distributed | Relation::Tends => true,
+        };
+        let holds = match hypothesis.relation {
+            Relation::Equal => sign.is_eq(),
+            Relation::NotEqual => sign.is_ne(),
+            Relation::Less => sign.is_lt(),
+            Relation::LessEqual => sign.is_le(),
+            Relation::Greater => sign.is_gt(),
+            Relation::GreaterEqual => sign.is_ge(),
+            Relation::Approximately | Relation::Distributed | Relation::Tends => false,
+        };
+        (!holds).then_some(letters)
+    }
+
+    /// That the document's own numbers break what it states, in words.
+    pub(in crate::check) fn words_of_broken(&mut self, equation: usize) -> Option<String> {
+        let model = self.model;
+        let stated: Vec<&'m Hypothesis> = model.equations[equation].given.iter().collect();
+        let (number, letters) = self.broken_by_reference(&stated)?;
+        let text = latex::write_chain(&Chain {
+            members: vec![stated[number].left.clone(), stated[number].right.clone()],
+            relations: vec![stated[number].relation],
+            span: stated[number].span,
+        });
+        let value = |l: usize| match model.letters[l] {
+            Letter::Symbol { symbol, order: 0 } => {
+                let symbol = &model.symbols[symbol];
+                let value = symbol.value.as_ref()?;
+                Some(format!("{} = {value}", latex::canonical(&symbol.name)))
             }
+            Letter::Symbol { .. } | Letter::Abbreviation { .. } | Letter::Function { .. } => None,
+        };
+        let values: Vec<String> = letters.into_iter().filter_map(value).collect();
+        Some(match values.is_empty() {
+            true => format!("the reference values contradict the stated hypothesis {text}"),
+            false => format!(
+                "the reference values {} contradict the stated hypothesis {text}",
+                values.join(", ")
+            ),
         })
     }
 }

@@ -62,6 +62,13 @@ impl Ground {
                 facts.push(Fact::About(Scope::Reference));
                 Found::of(VerdictWord::Refuted, facts)
             }
+            (None, _) if self.vanishes_here(f) && self.vanishes_here(to) => Found::of(
+                VerdictWord::Holds,
+                vec![
+                    Fact::Number(Measure::Value, BigRational::zero().into()),
+                    Fact::About(Scope::Reference),
+                ],
+            ),
             // Letters without a value may cancel in the quotient.
             (None, _) => match self.ratio(f, to).filter(|q| !q.is_one()) {
                 Some(ratio) => Found::of(VerdictWord::Refuted, vec![deviation(&ratio)]),
@@ -113,7 +120,7 @@ impl Ground {
         if self.has_no_value(f) || self.has_no_value(to) {
             return self.without_value(&[f, to]);
         }
-        if self.at(to).is_some_and(|v| v.is_zero()) {
+        if self.vanishes_here(to) {
             return Found::undecided("at the reference values it is compared with zero");
         }
         let scope = p.only_in_box.then(|| self.box_of(p)).flatten();

@@ -166,7 +166,7 @@ impl Ground {
         };
         let mut facts = vec![Fact::DependsOn(depends.clone())];
         for letter in depends.iter().filter(|l| !expected.contains(l)) {
-            if let Some(value) = self.elasticity(&f, *letter).and_then(|e| self.at(&e)) {
+            if let Some(value) = self.elasticity_here(&f, *letter) {
                 facts.push(Fact::Number(Measure::Elasticity(*letter), value.into()));
             }
         }
@@ -203,7 +203,8 @@ impl Ground {
             let letters =
                 RationalFunction::variable(self.ring, x) * RationalFunction::variable(self.ring, y);
             let elasticity = (letters * logarithmic).checked_div(&(f * f)).ok();
-            let value = elasticity.and_then(|e| self.at(&e));
+            let here = elasticity.filter(|_| !self.vanishes_here(f));
+            let value = here.and_then(|e| self.at(&e));
             measured &= value.is_some();
             if let Some(value) = value {
                 let less = |(_, _, old): &(usize, usize, BigRational)| old.abs() < value.abs();
@@ -214,6 +215,11 @@ impl Ground {
         }
         if sum || product {
             return Found::of(VerdictWord::Holds, vec![Fact::Separates(sum)]);
+        }
+        // Of what is zero there whatever these letters are, it is true at the reference values.
+        let all: Vec<usize> = groups.concat();
+        if self.vanishes_on_lines(f, &all) {
+            return Found::of(VerdictWord::Loose, vec![Fact::About(Scope::Reference)]).nearly();
         }
         let Some((x, y, value)) = largest else {
             return Found::of(VerdictWord::Refuted, Vec::new());
@@ -248,8 +254,11 @@ impl Ground {
         let mut facts = Vec::new();
         let mut near = true;
         for letter in letters {
-            let value = self.elasticity(&quotient, letter).and_then(|e| self.at(&e));
-            near &= value.as_ref().is_some_and(|v| v.abs() <= p.tolerance);
+            let value = self.elasticity_here(&quotient, letter);
+            near &= match &value {
+                Some(v) => v.abs() <= p.tolerance,
+                None => self.vanishes_on_lines(&quotient, &[letter]),
+            };
             if let Some(value) = value {
                 facts.push(Fact::Number(
                     Measure::QuotientElasticity(letter),

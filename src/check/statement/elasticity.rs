@@ -20,6 +20,15 @@ impl Ground {
             .ok()
     }
 
+    /// The elasticity at the reference point. Where the quantity is zero there it has none, though what
+    /// vanishes may have cancelled before.
+    pub(super) fn elasticity_here(&self, f: &RationalFunction, x: usize) -> Option<BigRational> {
+        if self.vanishes_here(f) {
+            return None;
+        }
+        self.at(&self.elasticity(f, x)?)
+    }
+
     /// The elasticity at the reference point and its range over the box, and what the box's least
     /// value of the letter alone does.
     pub(super) fn elasticity_facts(
@@ -29,7 +38,7 @@ impl Ground {
         p: &Proposition,
     ) -> Vec<Fact> {
         let mut facts = Vec::new();
-        let Some(elasticity) = self.elasticity(f, x) else {
+        let Some(elasticity) = self.elasticity(f, x).filter(|_| !self.vanishes_here(f)) else {
             return facts;
         };
         if let Some(value) = self.at(&elasticity) {
@@ -84,8 +93,9 @@ impl Ground {
                 "of a letter that is not real only derivatives of one sign tell",
             );
         }
-        // Across a pole it does not go on as the derivative says.
+        // Across a pole it does not go on as the derivative says; in a box the points may lie outside of it.
         if found.word == VerdictWord::Undecided
+            && !p.only_in_box
             && let Some(points) = self.against(f, x, increasing)
         {
             let here = self.at(&derivative);
@@ -181,8 +191,22 @@ impl Ground {
         if self.range_of(x).numbers != Numbers::Real {
             return Found::undecided("a letter that is not real");
         }
-        let line = self.sign(&derivative, &Scope::Line(x));
         let facts = self.elasticity_facts(f, x, p);
+        if p.only_in_box {
+            let study = self.sign(&derivative, &Scope::Box(self.sides(p)));
+            let word = match study.sign {
+                _ if !study.poles.is_empty() => {
+                    return Found::undecided("it has a pole where it is meant").and(facts);
+                }
+                Some(Sign::Both) => VerdictWord::Holds,
+                Some(_) => VerdictWord::Refuted,
+                None => return Found::undecided("the sign of the derivative is out of reach"),
+            };
+            let mut found = Found::of(word, Vec::new());
+            found.add_study(subject, study);
+            return found.and(facts);
+        }
+        let line = self.sign(&derivative, &Scope::Line(x));
         if line.sign == Some(Sign::Both) {
             let fact = Fact::Sign(subject, Sign::Both, Scope::Line(x));
             return Found::of(VerdictWord::Holds, vec![fact])
@@ -222,10 +246,11 @@ impl Ground {
             let fact = Fact::Sign(subject, Sign::Zero, Scope::Everywhere);
             return Found::of(VerdictWord::Holds, vec![fact]);
         }
-        let elasticity = self.elasticity(f, x).and_then(|e| self.at(&e));
-        let word = match &elasticity {
+        let word = match self.elasticity_here(f, x) {
             Some(value) if value.abs() <= p.tolerance => VerdictWord::Loose,
-            _ => VerdictWord::Refuted,
+            // What is the same there whatever the letter is, though it has no elasticity.
+            None if self.vanishes_on_lines(&derivative, &[x]) => VerdictWord::Loose,
+            Some(_) | None => VerdictWord::Refuted,
         };
         let mut found = Found::of(word, self.elasticity_facts(f, x, p));
         // That it does depend on the letter is shown by one value of the derivative.
@@ -246,6 +271,11 @@ impl Ground {
         };
         if self.has_no_value(f) {
             return self.without_value(&[f]);
+        }
+        if self.vanishes_here(f) {
+            return Found::undecided(
+                "the elasticity has no value at the reference values, where the quantity is zero",
+            );
         }
         let Some(value) = self.at(&elasticity) else {
             return self.without_value(&[&elasticity]);

@@ -102,6 +102,41 @@ impl Found {
         self
     }
 
+    /// What is left of it where it is said of a box: not everything is decided there, and what is so for all values
+    /// may be otherwise in a part of them.
+    fn over_a_box(self, predicate: Predicate) -> Self {
+        let at_reference = self.facts.contains(&Fact::About(Scope::Reference));
+        let stands = match predicate {
+            Predicate::Positive
+            | Predicate::IncreasingIn
+            | Predicate::DecreasingIn
+            | Predicate::NotMonotoneIn
+            | Predicate::ConvexIn
+            | Predicate::CloseTo
+            | Predicate::SmallComparedWith
+            | Predicate::MeasuredLike
+            | Predicate::Explicit => true,
+            Predicate::IndependentOf
+            | Predicate::SeparatesInto
+            | Predicate::ProportionalTo
+            | Predicate::Equals => self.word == VerdictWord::Holds && !at_reference,
+            Predicate::HasAMinimumIn
+            | Predicate::HasAMaximumIn
+            | Predicate::MinimalAt
+            | Predicate::MaximalAt
+            | Predicate::NearlyMinimalAt
+            | Predicate::LeastAtTheLowerBoundOf
+            | Predicate::WorseAtTheMinimumOf
+            | Predicate::DependsOnlyOn
+            | Predicate::DependsEssentiallyOn
+            | Predicate::TendsTo => false,
+        };
+        match stands || self.word == VerdictWord::Undecided {
+            true => self,
+            false => Found::undecided("over a box this is not decided"),
+        }
+    }
+
     /// What is said where it was found with equations as corrected, and something else as they are printed: what
     /// holds as printed holds, and what is judged as corrected only says so.
     fn or_as_printed(self, printed: Found, corrected: Vec<usize>) -> Self {
@@ -338,7 +373,7 @@ impl Checker<'_> {
         let at = optional(&p.at)?;
         let other = optional(&p.minimum_of)?;
         let letter = p.letters.first().and_then(|s| ground.letters[*s]);
-        Ok(match (p.predicate, letter) {
+        let found = match (p.predicate, letter) {
             (Predicate::Positive, _) => ground.strict(&f, true, Subject::Quantity, None, p),
             (Predicate::IncreasingIn, Some(x)) => ground.monotone(&f, x, true, p),
             (Predicate::DecreasingIn, Some(x)) => ground.monotone(&f, x, false, p),
@@ -367,6 +402,10 @@ impl Checker<'_> {
             (Predicate::CloseTo, _) => ground.close(&f, to.as_ref(), p),
             (Predicate::SmallComparedWith, _) => ground.small(&f, to.as_ref(), p),
             _ => Found::undecided("nothing says for which letter"),
+        };
+        Ok(match p.only_in_box {
+            true => found.over_a_box(p.predicate),
+            false => found,
         })
     }
 }

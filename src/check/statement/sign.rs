@@ -318,7 +318,13 @@ impl Ground {
         if !study.poles.is_empty() {
             found.facts.push(Fact::Pole(study.poles.clone()));
         }
-        let here = self.at(g);
+        // A box need not be around the reference values.
+        let among = |(letter, low, high): &(usize, BigRational, BigRational)| {
+            let own = self.reference[*letter].as_ref();
+            own.is_some_and(|value| low <= value && value <= high)
+        };
+        let meant = !proposition.only_in_box || sides.iter().all(among);
+        let here = self.at(g).filter(|_| meant);
         let right = |value: &BigRational| match positive {
             true => value.is_positive(),
             false => value.is_negative(),

@@ -5,20 +5,34 @@
 
 use super::{Found, Ground};
 use crate::verdict::statement::{Scope, Sign};
-use ratpoly::{Budget, RationalFunction};
+use ratpoly::{Budget, Polynomial, RationalFunction};
 
 impl Ground {
     /// Whether a function has no value at the reference point, whatever the letters without a reference
     /// value are.
     pub(super) fn has_no_value(&self, f: &RationalFunction) -> bool {
-        let denominator = RationalFunction::from(f.denominator().clone());
-        let known = self.letters_in(&denominator).into_iter().filter_map(|l| {
-            let own = self.reference[l].clone()?;
+        self.is_zero_but_for(f.denominator(), &[])
+    }
+
+    /// Whether a function is zero at the reference point, whatever the letters without a reference value are.
+    pub(super) fn vanishes_here(&self, f: &RationalFunction) -> bool {
+        self.vanishes_on_lines(f, &[])
+    }
+
+    /// Whether a function is zero at the reference point, whatever these letters are besides.
+    pub(super) fn vanishes_on_lines(&self, f: &RationalFunction, kept: &[usize]) -> bool {
+        self.is_zero_but_for(f.numerator(), kept) && !self.has_no_value(f)
+    }
+
+    /// Whether a polynomial is zero where the letters have their reference values, but for these letters.
+    fn is_zero_but_for(&self, p: &Polynomial, kept: &[usize]) -> bool {
+        let p = RationalFunction::from(p.clone());
+        let known = self.letters_in(&p).into_iter().filter_map(|l| {
+            let own = self.reference[l].clone().filter(|_| !kept.contains(&l))?;
             Some((l, RationalFunction::constant(self.ring, own)))
         });
         let images: Vec<_> = known.collect();
-        let there = denominator.substitute(&images);
-        there.is_ok_and(|there| there.is_zero())
+        p.substitute(&images).is_ok_and(|there| there.is_zero())
     }
 
     /// Whether a function certainly has a value for all values of its letters.

@@ -12,7 +12,6 @@ use crate::latex;
 use crate::matrix::Matrix;
 use crate::model::Node;
 use crate::model::links::Link;
-use crate::model::names::Resolved;
 use crate::theory::determinant::determinant;
 use crate::verdict::Verdict;
 use ratpoly::RationalFunction;
@@ -94,14 +93,13 @@ impl Checker<'_> {
     fn processes_behind<'e>(&self, sides: impl Iterator<Item = &'e Expr>) -> BTreeSet<usize> {
         let model = self.model;
         let display = |equation: usize| self.exact.display(equation);
+        let constants = self.random_constants();
         let mut found = BTreeSet::new();
         for side in sides {
             model.visit_behind(side, &display, &mut |e| {
-                if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind
-                    && let Ok(Resolved::Letter { symbol, .. }) = model.resolve(name, &|_| false)
-                    && self.is_process(symbol)
-                {
-                    found.insert(symbol);
+                if let ExprKind::Name(name) | ExprKind::Apply { function: name, .. } = &e.kind {
+                    let named = self.symbols_named(name).into_iter();
+                    found.extend(named.filter(|s| self.is_process(*s) || constants.contains(s)));
                 }
             });
         }
