@@ -163,6 +163,11 @@ impl Checker<'_> {
                     .map(|d| table.substitute(&d, &image));
                 !matches!(there, Some(Ok(there)) if !there.is_zero())
             };
+            // A range of another letter is the same there.
+            let about = |s: &&Supposed<RationalFunction>| {
+                table.letters_behind(&s.element).contains(&place.0)
+            };
+            let range: Vec<_> = range.iter().filter(about).cloned().collect();
             let reaches = || match at(&table, &range, &place) {
                 Some(there) => there.is_empty() || stand(&table, &there) == Stand::Inside,
                 None => false,

@@ -193,7 +193,8 @@ impl Ground {
         }
         let facts = self.elasticity_facts(f, x, p);
         if p.only_in_box {
-            let study = self.sign(&derivative, &Scope::Box(self.sides(p)));
+            let scope = Scope::Box(self.sides(p));
+            let study = self.sign(&derivative, &scope);
             let word = match study.sign {
                 _ if !study.poles.is_empty() => {
                     return Found::undecided("it has a pole where it is meant").and(facts);
@@ -202,8 +203,9 @@ impl Ground {
                 Some(_) => VerdictWord::Refuted,
                 None => return Found::undecided("the sign of the derivative is out of reach"),
             };
-            let mut found = Found::of(word, Vec::new());
-            found.add_study(subject, study);
+            let sign = study.sign.map(|sign| Fact::Sign(subject, sign, scope));
+            let mut found = Found::of(word, sign.into_iter().collect());
+            found.signs.extend(study.certificate);
             return found.and(facts);
         }
         let line = self.sign(&derivative, &Scope::Line(x));
