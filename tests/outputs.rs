@@ -294,7 +294,7 @@ fn free_text_cannot_act_in_tex() {
         "# {hostile}\n```toml document\ntitle = \"{hostile}\"\nsource = \"{hostile}\"\n\
          equations = \"1\"\n```\n\
          ```toml symbols\na = {{ unit = \"kg\", value = \"2\", meaning = \"{hostile}\" }}\n```\n\
-         ```math 1 claim\na = a \\text{{ if 100% & _ }}\n```\n\
+         ```math 1 claim\na = a \\text{{ by 100% & _ }}\n```\n\
          ```toml 1\nnote = \"{hostile}\"\n```\n\
          ```math 2 recall\na = a\n```\n```toml 2\nreason = \"{hostile}\"\n```\n"
     );

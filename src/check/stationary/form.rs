@@ -40,12 +40,11 @@ impl Checker<'_> {
             return Some("a covariance of another shape than its random quantities");
         }
         let symmetric = match &value {
-            Value::Matrix(m) => {
-                let n = m.rows();
-                (0..n).all(|i| (0..i).all(|j| m[(i, j)] == m[(j, i)]))
+            Value::Matrix(m) if itself => {
+                (0..m.rows()).all(|i| (0..i).all(|j| m[(i, j)] == m[(j, i)]))
             }
-            Value::Scalar(_) | Value::Zero => true,
+            Value::Matrix(_) | Value::Scalar(_) | Value::Zero => true,
         };
-        (itself && !symmetric).then_some("a covariance that is not symmetric")
+        (!symmetric).then_some("a covariance that is not symmetric")
     }
 }
