@@ -9,8 +9,8 @@ use crate::model::links::Place;
 use crate::progress::interrupted;
 use ratpoly::allowance;
 
-/// How many candidates without an image are evaluated exactly where the print has one.
-const FEW: usize = 60;
+/// Up to how many candidates without an image are evaluated exactly where the print has one: it is dear.
+const FEW: usize = 3;
 
 /// How many candidates the slow filter looks at.
 const SLOW: usize = 20_000;
@@ -164,7 +164,11 @@ impl<'m> Trial<'_, 'm> {
         }
         // Exactly, one by one: all that can be where the print itself has functions without an image, and a
         // few where it has none.
-        let most = if self.blind { EXACTLY } else { FEW };
+        let few = unknown.len() <= FEW;
+        let most = match self.blind {
+            true => EXACTLY,
+            false => unknown.len() * usize::from(few),
+        };
         let left = self.limit.work.saturating_sub(self.spent.work);
         let (mut steps, mut judged) = (0, 0);
         if let Some(exact) = self.exact.as_mut() {

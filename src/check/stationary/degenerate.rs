@@ -12,6 +12,7 @@ use crate::latex;
 use crate::matrix::Matrix;
 use crate::model::Node;
 use crate::model::links::Link;
+use crate::model::names::Resolved;
 use crate::theory::determinant::determinant;
 use crate::verdict::Verdict;
 use ratpoly::RationalFunction;
@@ -54,7 +55,10 @@ impl Checker<'_> {
         let display = self.exact.display(equation);
         let sides = [link.left, link.right].into_iter();
         let sides: Vec<&Expr> = sides.filter_map(|place| place.find(display)).collect();
-        if !sides.iter().any(|side| self.is_random(side)) {
+        if !sides
+            .iter()
+            .any(|side| self.has_random_value(side, &mut BTreeSet::new()))
+        {
             return false;
         }
         let quantities = self.processes_behind(sides.into_iter());
@@ -64,6 +68,48 @@ impl Checker<'_> {
         let dependent = !vectors.is_empty() && self.may_be_singular(&vectors);
         self.exact.conditions = conditions;
         dependent
+    }
+
+    /// Whether a random quantity stands in an expression, or in what defines a name in it; moments of random
+    /// quantities are none.
+    fn has_random_value(&self, expr: &Expr, seen: &mut BTreeSet<Node>) -> bool {
+        let model = self.model;
+        let name = match &expr.kind {
+            ExprKind::Expectation(_) => return false,
+            ExprKind::Name(name) | ExprKind::Apply { function: name, .. } => Some(name),
+            _ => None,
+        };
+        let own = name.is_some_and(|name| match model.resolve(name, &|_| false) {
+            Ok(Resolved::Letter { symbol, .. }) => self.is_process(symbol),
+            Ok(Resolved::Node { node, .. } | Resolved::Primed { node, .. }) => {
+                let moment = model.covariances().any(|(_, n, _)| n == node);
+                !moment && seen.insert(node) && self.node_has_random_value(node, seen)
+            }
+            Ok(Resolved::Bound(_) | Resolved::Indexed { .. }) | Err(_) => false,
+        });
+        let mut children = crate::expr::walk::children(expr).into_iter();
+        own || children.any(|child| self.has_random_value(child, seen))
+    }
+
+    fn node_has_random_value(&self, node: Node, seen: &mut BTreeSet<Node>) -> bool {
+        let model = self.model;
+        match node {
+            Node::Definition(d) => {
+                let definition = &model.definitions[d];
+                let value = definition
+                    .place
+                    .find(self.exact.display(definition.equation));
+                value.is_some_and(|value| self.has_random_value(value, seen))
+            }
+            Node::Unknown { system, .. } => {
+                let display = self.exact.display(model.systems[system].equation);
+                let mut members = display.clauses.iter().flat_map(|c| &c.chain.members);
+                members.any(|member| self.has_random_value(member, seen))
+            }
+            Node::Symbol(symbol) => self.is_process(symbol),
+            Node::Matrix(matrix) => !model.matrices[matrix].arguments.is_empty(),
+            Node::Notation(_) => false,
+        }
     }
 
     /// The random vectors that have a covariance and some of these quantities; none whose quantities
