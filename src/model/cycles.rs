@@ -70,6 +70,7 @@ impl Model {
                     self.check_expression(member, &mut bound, &mut report);
                     self.shadowed_letters(member, &mut indices, &mut report);
                     self.bare_functions(member, &mut tending, &mut report);
+                    self.overlapping_cases(member, &mut report);
                 }
             }
             if let (Some(Relation::Tends), ExprKind::Name(letter)) = (

@@ -13,6 +13,7 @@ pub mod limits;
 pub mod links;
 pub mod matrices;
 pub mod names;
+mod overlap;
 pub mod range;
 mod shadow;
 pub mod statement;

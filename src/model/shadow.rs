@@ -5,7 +5,7 @@
 //! that is a function of it), the print does not say which of the two is meant.
 
 use super::names::Resolved;
-use super::{Model, Node, NotationKind};
+use super::{DefinitionKind, Model, Node, NotationKind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::walk::children;
 use crate::expr::{Expr, ExprKind, Name};
@@ -49,7 +49,8 @@ impl Model {
                 }
             }
             ExprKind::Name(name) => {
-                let behind = self.symbols_behind_name(name, false);
+                let mut behind = self.symbols_behind_name(name, false);
+                behind.extend(self.symbols_behind_entry(name, expr));
                 self.report_shadowed(&behind, indices, expr.span, report);
             }
             ExprKind::Apply { function, .. } => {
@@ -97,6 +98,24 @@ impl Model {
             }
             Ok(Resolved::Bound(_) | Resolved::Indexed { .. }) | Err(_) => BTreeSet::new(),
         }
+    }
+
+    /// The symbols that an entry of a matrix, or another number that belongs to one, depends on. A family binds
+    /// its own index.
+    fn symbols_behind_entry(&self, name: &Name, expr: &Expr) -> BTreeSet<usize> {
+        if !matches!(self.resolve(name, &|_| false), Ok(Resolved::Indexed { .. })) {
+            return BTreeSet::new();
+        }
+        let mut nodes = BTreeSet::new();
+        self.collect(expr, &mut nodes);
+        let family = |node: &Node| {
+            matches!(node, Node::Definition(d)
+                if matches!(self.definitions[*d].kind, DefinitionKind::Family { .. }))
+        };
+        let nodes = nodes.into_iter().filter(|node| !family(node));
+        nodes
+            .flat_map(|node| self.symbols_behind(node, &|e| self.display(e)))
+            .collect()
     }
 
     fn symbols_behind_node(&self, node: Node, applied: bool) -> BTreeSet<usize> {

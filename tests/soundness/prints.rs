@@ -361,6 +361,14 @@ fn products_of_functions_commutators_and_entries_of_powers_are_asked_about() {
         let found = errors("", &claim.0);
         assert!(found.is_empty(), "{}: {found:?}", claim.0);
     }
+    // A running index that is a letter behind an entry.
+    let matrix = "```math P define\n\\mathbf{P} = \\begin{bmatrix} x & 1 \\\\ 0 & y \\end{bmatrix}\n```\n\
+                  ```toml notation\n'P_{i,j}' = { entry_of = '\\mathbf{P}' }\n```\n";
+    for claim in ["= 3", "= 2x", "= 2x + 1"] {
+        asked(matrix, &format!(r"\sum_{{x=1}}^2 P_{{11}} {claim}"));
+        asked(matrix, &format!(r"\sum_{{y=1}}^2 (P_{{22}} + x) {claim}"));
+    }
+    assert!(errors(matrix, r"\sum_{k=1}^2 P_{11} = 2x").is_empty());
     for space in [r"\;", r"\ ", "~", r"\:"] {
         asked("", &format!("[a{space}b] = ab"));
     }
