@@ -206,17 +206,7 @@ impl Builder {
                     continue;
                 }
             };
-            match (relation, from_below) {
-                (Relation::Less, true) | (Relation::Greater, false) => range.raise(value, false),
-                (Relation::LessEqual, true) | (Relation::GreaterEqual, false) => {
-                    range.raise(value, true);
-                }
-                (Relation::Greater, true) | (Relation::Less, false) => range.lower(value, false),
-                (Relation::GreaterEqual, true) | (Relation::LessEqual, false) => {
-                    range.lower(value, true);
-                }
-                _ => understood = false,
-            }
+            understood &= range.compare(*relation, from_below, value);
         }
         let inside = symbol.value.as_ref().is_none_or(|v| range.contains(v));
         if !understood || chain.members.len() < 2 || range.is_empty() || !inside {

@@ -9,7 +9,7 @@ use super::names::literal_number;
 use super::range::Range;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::expr::walk::children;
-use crate::expr::{Chain, Expr, ExprKind, Relation};
+use crate::expr::{Chain, Expr, ExprKind};
 use crate::latex;
 
 impl Model {
@@ -71,24 +71,8 @@ fn range_of(conditions: &[Chain]) -> Option<(String, Range)> {
             if letter.get_or_insert_with(|| name.clone()) != &name {
                 return None;
             }
-            // `below`: the number stands on the left.
-            match (relation, below) {
-                (Relation::Less, true) | (Relation::Greater, false) => range.raise(value, false),
-                (Relation::LessEqual, true) | (Relation::GreaterEqual, false) => {
-                    range.raise(value, true);
-                }
-                (Relation::Greater, true) | (Relation::Less, false) => range.lower(value, false),
-                (Relation::GreaterEqual, true) | (Relation::LessEqual, false) => {
-                    range.lower(value, true);
-                }
-                (
-                    Relation::Equal
-                    | Relation::NotEqual
-                    | Relation::Approximately
-                    | Relation::Distributed
-                    | Relation::Tends,
-                    _,
-                ) => return None,
+            if !range.compare(*relation, below, value) {
+                return None;
             }
         }
     }

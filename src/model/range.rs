@@ -3,6 +3,7 @@
 //! A letter is real unless the document says otherwise. `positive = true` is the range from zero on,
 //! zero excluded; `range = "0 < a \le 2"` says both ends, each with whether it belongs to the range.
 
+use crate::expr::Relation;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -99,6 +100,30 @@ impl Range {
         if closer {
             self.high = Some(End { value, included });
         }
+    }
+
+    /// Takes in what a comparison with a number says, which stands on the left of the relation or on the right;
+    /// whether it says between which numbers the letter lies.
+    pub fn compare(&mut self, relation: Relation, on_the_left: bool, value: BigRational) -> bool {
+        match (relation, on_the_left) {
+            (Relation::Less, true) | (Relation::Greater, false) => self.raise(value, false),
+            (Relation::LessEqual, true) | (Relation::GreaterEqual, false) => {
+                self.raise(value, true)
+            }
+            (Relation::Greater, true) | (Relation::Less, false) => self.lower(value, false),
+            (Relation::GreaterEqual, true) | (Relation::LessEqual, false) => {
+                self.lower(value, true)
+            }
+            (
+                Relation::Equal
+                | Relation::NotEqual
+                | Relation::Approximately
+                | Relation::Distributed
+                | Relation::Tends,
+                _,
+            ) => return false,
+        }
+        true
     }
 
     /// Whether a real number is among the values.
