@@ -88,11 +88,11 @@ fn every_kind_has_words() {
                 count: 600,
                 limit: 500,
             },
-            "600 letters and abbreviations, more than 500",
+            "more than 500 letters and abbreviations",
         ),
         (
             DiagnosticKind::TooDeep { limit: 200 },
-            "nested deeper than 200 levels",
+            "nested too deeply to be read",
         ),
         (
             DiagnosticKind::UnknownCommand { command: s() },

@@ -60,13 +60,15 @@ pub(super) fn words(kind: &DiagnosticKind) -> Words {
                 _ => "add the partner, or remove this one".into(),
             },
         ),
-        DiagnosticKind::TooDeep { limit } => (
-            format!("nested deeper than {limit} levels"),
+        // Brackets, arguments and scripts count each, often two for one construct: no number helps.
+        DiagnosticKind::TooDeep { .. } => (
+            "nested too deeply to be read".into(),
             "too deep from here on".into(),
             "split the expression by a definition of its own".into(),
         ),
-        DiagnosticKind::TooManyLetters { count, limit } => (
-            format!("{count} letters and abbreviations, more than {limit}"),
+        // The count ends where it is too large.
+        DiagnosticKind::TooManyLetters { limit, .. } => (
+            format!("more than {limit} letters and abbreviations"),
             "in this document".into(),
             "split the document by its sections".into(),
         ),
