@@ -271,6 +271,20 @@ impl<'m> Checker<'m> {
             if !matches!(known, Known::Held(_)) && judged {
                 outcome.corrected.clone_from(&corrected);
             }
+            // A correction may put in what another one corrects.
+            if let Verdict::Misprint { correction, .. } = &outcome.verdict {
+                let links = self.model.equations[equation].links.iter();
+                let own = links.filter(|link| link.member == outcome.member);
+                let sides = own.flat_map(|link| [link.left, link.right]);
+                let sides = sides.filter_map(|place| place.find(&correction.display));
+                let behind = self.corrected_behind(sides, Some(equation));
+                let more: Vec<usize> = behind
+                    .into_iter()
+                    .filter(|e| !outcome.corrected.contains(e))
+                    .filter(|e| correction.definition.as_ref().is_none_or(|(d, _)| d != e))
+                    .collect();
+                outcome.corrected.extend(more);
+            }
         }
         outcomes
     }

@@ -241,3 +241,24 @@ fn covariances_of_an_impossible_form() {
         undecided(&preamble, &claims);
     }
 }
+
+/// Edits of one candidate may change where another one stands.
+#[test]
+fn edits_that_move_each_other_are_told_by_the_whole() {
+    for (one, other, slip) in [
+        ("(x + 1)^2", "(x - 1)^2", "(x - 1)^3"),
+        ("(x + 2)^2", "(x - 2)^2", "(x - 2)^3"),
+        ("(x + y)^2", "(x - y)^2", "(x - y)^3"),
+    ] {
+        let text = format!(
+            "{LETTERS}```math 1 claim\nV = {one} - {slip} = 4x\n```\n\
+             ```math 2 claim\nV + V = {one} - {other} - ({one} - {slip})\n```\n"
+        );
+        let audit = audit(&text, Options::default()).unwrap_or_else(|r| panic!("{r}"));
+        let word = audit.outcomes.last().expect("a link").verdict.word();
+        assert!(matches!(
+            word,
+            VerdictWord::Misprint | VerdictWord::Refuted | VerdictWord::Undecided
+        ));
+    }
+}

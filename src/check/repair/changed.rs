@@ -73,6 +73,11 @@ impl Trial<'_, '_> {
                 let id = *put.nodes.first()?;
                 return Some(self.store.value(id, self.env));
             }
+            // An edit that another one of the same candidate moved is told by the whole only.
+            (Change::Terms { to, .. }, Shape::Sum(terms)) if *to > terms.len() => return None,
+            (Change::Factors { to, .. }, Shape::Product(factors)) if *to > factors.len() => {
+                return None;
+            }
             (Change::Terms { from, to, by }, Shape::Sum(terms)) => {
                 let new = by
                     .iter()
