@@ -330,7 +330,9 @@ impl Checker<'_> {
         }
         let field = self.model.field();
         // Only what is itself compared with zero is a form: 1 + p^2 > 1 says what it says.
-        let beside_zero = lower.as_number().is_some_and(Zero::is_zero);
+        let beside_zero = [upper, lower]
+            .iter()
+            .any(|side| side.as_number().is_some_and(Zero::is_zero));
         let sides = sides_of(&mut self.exact, display, link, upper.span)?;
         let cases = sides.len() > 1 && display_has_cases(&sides);
         let mut several = Vec::new();

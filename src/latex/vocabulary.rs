@@ -199,7 +199,8 @@ pub(super) fn is_justification(words: &str) -> bool {
         .split(|c: char| !c.is_alphanumeric())
         .filter(|w| !w.is_empty());
     let reasons = ["by", "from", "see", "using", "cf", "according", "due"];
-    each.next().is_some_and(|first| reasons.contains(&first)) && !restricts(words)
+    let side = words.trim() == "from above";
+    each.next().is_some_and(|first| reasons.contains(&first)) && !restricts(words) && !side
 }
 
 /// Whether one of some words restricts what stands beside them, or takes it back.
@@ -226,6 +227,18 @@ pub(super) fn restricts(words: &str) -> bool {
                 | "nearly"
                 | "almost"
                 | "approximately"
+                | "approximation"
+                | "assumption"
+                | "mistake"
+                | "more"
+                | "less"
+                | "than"
+                | "that"
+                | "positive"
+                | "negative"
+                | "left"
+                | "right"
+                | "below"
                 | "up"
         )
     })

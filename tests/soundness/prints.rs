@@ -22,6 +22,7 @@ n = { domain = 'integer' }
 ```toml notation
 'A_{i,j}' = { entry_of = '\mathbf{A}' }
 '\pi' = { constant = 'pi' }
+e = { constant = 'e' }
 ```
 ";
 
@@ -158,6 +159,10 @@ fn words_beside_an_equation_are_read_or_asked_about() {
             "does not hold",
             "is false",
             "by no means",
+            "by more than 2",
+            "by approximation",
+            "from above",
+            "from the left",
             "when the speed is small",
             "(for large speeds)",
             "approximately true",
@@ -288,10 +293,62 @@ fn a_line_that_begins_with_a_sign_is_an_equation() {
         );
         asked("", &format!(r"{first} \quad {}", second.replace('+', "-")));
     }
+    // Alignment before the sign, tags, columns, wide spaces: each is seen as two equations, or is asked about.
+    let pairs = [
+        ("x = 2x", "-x = x", false),
+        ("1 = 2", "-1 = 1", false),
+        ("x = x", "-x = -x", true),
+        ("xy = yx", "-y = -y", true),
+    ];
+    for (one, other, truth) in pairs {
+        let [first, second] = [one, other].map(|e| e.replace(" = ", " &= "));
+        for claim in [
+            format!(r"\begin{{aligned}} & {one} \\ & {other} \end{{aligned}}"),
+            format!(r"\begin{{align}} {first} \tag{{1}} \\ {second} \end{{align}}"),
+            format!(r"\begin{{align}} {first} \nonumber \\ {second} \end{{align}}"),
+        ] {
+            let text = format!("{LETTERS}```math 1 claim\n{claim}\n```\n");
+            let document = Document::parse("test.md", &text).expect("a document");
+            let audit =
+                Audit::of(&document, Options::default()).unwrap_or_else(|r| panic!("{claim}: {r}"));
+            let all = audit
+                .outcomes
+                .iter()
+                .all(|o| o.verdict.word().as_str() == "holds");
+            assert_eq!((audit.outcomes.len(), all), (2, truth), "{claim}");
+        }
+        for space in [r"\quad", r"\qquad", r"\;\;\;", r"\ \ \ ", "~~"] {
+            asked("", &format!("{one} {space} {other}"));
+        }
+        asked(
+            "",
+            &format!(r"\begin{{array}}{{cc}} {one} & {other} \end{{array}}"),
+        );
+    }
+    let system = format!(
+        "{LETTERS}```math 1 solve q, r\n\\begin{{array}}{{rcrcl}} q & + & r & = & 3 \\\\ -q & + & r & = & 1 \\end{{array}}\n```\n"
+    );
+    judged(
+        &system,
+        &[
+            ("q = 1".into(), true),
+            ("r = 2".into(), true),
+            (r"r = \frac32".into(), false),
+        ],
+        3,
+    );
+    // An exponential ends the argument of a function, for most.
+    for function in [r"\sin x", r"\cos ax", r"\ln a"] {
+        asked("", &format!("{function} e^{{-x}} = x"));
+    }
+    for power in ["^2", "^{-1}", "^T"] {
+        asked("", &format!(r"\mathbf{{A}}{power}_{{12}} = x"));
+    }
     // What goes on is aligned behind the relation, or has none of its own.
     for claim in [
         r"\begin{aligned} x &= y \\ &\quad - y + x \end{aligned}",
         r"\begin{aligned} x &= y + x \\ - y \end{aligned}",
+        r"\begin{aligned} (x+y)^2 &= x^2 \\ & + 2xy + y^2 = (y+x)^2 \end{aligned}",
     ] {
         judged(LETTERS, &[(claim.to_string(), true)], 1);
     }

@@ -80,7 +80,9 @@ impl Checker<'_> {
             _ => None,
         };
         let own = name.is_some_and(|name| match model.resolve(name, &|_| false) {
-            Ok(Resolved::Letter { symbol, .. }) => self.is_process(symbol),
+            Ok(Resolved::Letter { symbol, .. }) => {
+                self.is_process(symbol) || self.random_constants().contains(&symbol)
+            }
             Ok(Resolved::Node { node, .. } | Resolved::Primed { node, .. }) => {
                 let moment = model.covariances().any(|(_, n, _)| n == node);
                 !moment && seen.insert(node) && self.node_has_random_value(node, seen)

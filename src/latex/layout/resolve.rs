@@ -264,13 +264,19 @@ impl Resolver<'_> {
         let before = self.input[..position].iter().rev();
         let previous = before.map(|l| &l.token).find(|token| !blank(token))?;
         let next = self.following(position)?;
-        if !ends_operand(previous) || !starts_operand(next) || matches!(next, Token::Text(_)) {
+        let signed = matches!(next, Token::Symbol('-' | '+'));
+        let starts = starts_operand(next) || signed;
+        if !ends_operand(previous) || !starts || matches!(next, Token::Text(_)) {
             return None;
         }
         let (before, after) = (
             self.is_related(position, false),
             self.is_related(position, true),
         );
+        if signed {
+            // A sum may go on in the next column; two equations are asked about.
+            return (before && after).then_some(false);
+        }
         // A long product may go on in the next column with its bracket.
         let goes_on = before && !after && matches!(next, Token::Open(_));
         (!goes_on).then_some(before && after)
@@ -304,32 +310,26 @@ impl Resolver<'_> {
         }
     }
 
-    /// Whether the line that begins with a sign behind this break is an equation of its own: it has a relation,
-    /// which is aligned. Without alignment it may as well go on what stands before, and is asked about.
+    /// Whether the line that begins with a sign behind this break is an equation of its own: its relation is
+    /// aligned, or both lines begin with the alignment. Where nothing says so and it has a relation it is asked about,
+    /// unless it stands behind the alignment of the line before, which it goes on with.
     fn begins_with_a_sign(&mut self, position: usize) -> bool {
         let sign = self.next[position];
-        let aligned_before = self.input[position + 1..sign]
-            .iter()
-            .any(|l| l.token == Token::Symbol('&'));
-        let signed = matches!(
+        let alignment = |l: &Lexeme| l.token == Token::Symbol('&');
+        let behind = self.input[position + 1..sign].iter().any(alignment);
+        if !matches!(
             self.input.get(sign).map(|l| &l.token),
             Some(Token::Symbol('-' | '+'))
-        );
-        if !signed || aligned_before || !self.is_related(sign, true) {
+        ) {
             return false;
         }
-        let mut at = sign + 1;
-        let mut aligned = false;
-        while let Some(lexeme) = self.input.get(at) {
-            match &lexeme.token {
-                Token::Open(_) | Token::Begin(_) => at = self.partner[at],
-                Token::Symbol('&') => aligned = true,
-                token if is_relation(token) => break,
-                _ => {}
-            }
-            at += 1;
+        let Some(aligned) = self.relation_of_row(sign) else {
+            return false;
+        };
+        if behind && !aligned {
+            return self.row_begins_with_alignment(position);
         }
-        if !aligned {
+        if behind || !aligned {
             let readings = vec![
                 "an equation of its own, with a comma before it".to_owned(),
                 "what the line before goes on with, with & before the sign".to_owned(),
@@ -340,6 +340,46 @@ impl Resolver<'_> {
             ));
         }
         true
+    }
+
+    /// Whether the first relation from a place to the end of its row stands right behind an alignment; none where
+    /// there is no relation.
+    fn relation_of_row(&self, from: usize) -> Option<bool> {
+        let mut at = from + 1;
+        while let Some(lexeme) = self.input.get(at) {
+            match &lexeme.token {
+                Token::Open(_) | Token::Begin(_) => at = self.partner[at],
+                Token::RowBreak | Token::Close(_) | Token::End(_) => return None,
+                token if is_relation(token) => {
+                    let mut before = self.input[from..at].iter().rev();
+                    let previous = before.find(|l| !matches!(l.token, Token::Space(_)));
+                    return Some(previous.is_some_and(|l| l.token == Token::Symbol('&')));
+                }
+                _ => {}
+            }
+            at += 1;
+        }
+        None
+    }
+
+    /// Whether the row before a break begins with an alignment.
+    fn row_begins_with_alignment(&self, position: usize) -> bool {
+        let mut at = position;
+        let mut first = None;
+        while let Some(before) = at.checked_sub(1) {
+            match &self.input[before].token {
+                Token::Close(_) | Token::End(_) => {
+                    at = self.partner[before];
+                    first = Some(at);
+                    continue;
+                }
+                Token::RowBreak | Token::Open(_) | Token::Begin(_) => break,
+                Token::Space(_) => {}
+                _ => first = Some(before),
+            }
+            at = before;
+        }
+        first.is_some_and(|first| self.input[first].token == Token::Symbol('&'))
     }
 
     /// The next lexeme that is neither space nor alignment.
@@ -367,7 +407,9 @@ impl Resolver<'_> {
                         is_relation(next)
                             || is_relation(previous)
                             || is_operator(previous)
-                            || is_operator(next) && !is_punctuation(previous)
+                            || is_operator(next)
+                                && !is_punctuation(previous)
+                                && !matches!(previous, Token::Tag(_))
                     }
                 };
                 let own = continues
@@ -387,14 +429,19 @@ impl Resolver<'_> {
             .is_some_and(|lexeme| ends_operand(&lexeme.token));
         let next = self.following(position);
         let starts = next.is_some_and(starts_operand);
+        let several = matches!(
+            self.input.get(position + 1).map(|l| &l.token),
+            Some(Token::Space(_))
+        );
+        let signed = matches!(next, Some(Token::Symbol('-' | '+')));
         let negative = next == Some(&Token::Symbol('-')) && {
             self.input
                 .get(self.next[position] + 1)
                 .is_some_and(|after| starts_operand(&after.token))
         };
-        let doubtful = wide
+        let doubtful = (wide || several)
             && ended
-            && negative
+            && signed
             && self.is_related(self.next[position], true)
             && self.is_related(position, false);
         let here = self.output.len();

@@ -131,8 +131,10 @@ impl Parser<'_> {
         self.push_factor(&mut factors)?;
         if lettered {
             while self.at_letters() {
-                // A printed space may end the argument: `\sin x\, y`.
-                if self.lexemes[self.position].gap {
+                // A printed space may end the argument, and so may an exponential: `\sin x\, y`, `\sin x e^{-t}`.
+                let exponential =
+                    self.at(&Token::Letter('e')) && self.peek_at(1) == Some(&Token::Symbol('^'));
+                if self.lexemes[self.position].gap || exponential {
                     return Err(self.reach());
                 }
                 if matches!(self.peek(), Some(Token::Number(_))) {

@@ -150,7 +150,8 @@ impl Parser<'_> {
             if self.at_symbol('_') || self.at_symbol('\'') {
                 let index = self.at_symbol('_');
                 self.index_or_prime(&mut name)?;
-                if index && exponent.is_some() && self.signature.has_entries(&name) {
+                let bold = name.letter.font == Font::Bold && self.names_an_entry(&name);
+                if index && exponent.is_some() && (bold || self.signature.has_entries(&name)) {
                     let readings = [
                         "the power of the entry, with the index printed first",
                         "the entry of the power, which needs a name of its own",
@@ -206,6 +207,21 @@ impl Parser<'_> {
             Some(exponent) => self.raise(base, exponent),
             None => Ok(base),
         }
+    }
+
+    /// Whether the index of a bold letter is made of numbers, and the letter without it is declared.
+    fn names_an_entry(&self, name: &Name) -> bool {
+        let Some(subscript) = &name.subscript else {
+            return false;
+        };
+        let bare = Name {
+            subscript: None,
+            ..name.undotted()
+        };
+        let number = |e: &Expr| matches!(e.kind, ExprKind::Number(_));
+        self.signature.is_declared(&bare)
+            && !subscript.indices.is_empty()
+            && subscript.indices.iter().all(number)
     }
 
     /// Whether `f^2(x)` is a choice: the square of f(x), and not f(f(x)), by the convention of `\sin^2 x`. Of
