@@ -390,6 +390,9 @@ impl Builder {
             if matches!(equation.role, document::Role::Solve(_)) {
                 self.refuse_unsolvable(&display);
             }
+            if matches!(equation.role, document::Role::Define) {
+                self.refuse_shared_ranges(&display);
+            }
             if !matches!(equation.role, document::Role::Recall) {
                 let claim = matches!(equation.role, document::Role::Claim);
                 self.refuse_clauses(&display, claim);

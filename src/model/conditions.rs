@@ -82,6 +82,15 @@ impl Builder {
             before.claims |= matches!(standing, Standing::Claim | Standing::Comparison);
             before.last = standing;
         }
+        let of_a_line = conditions_of_a_line(clauses, &conditional);
+        for span in of_a_line {
+            let readings = vec![
+                "a condition of what is claimed in its line, written as an equation of its own"
+                    .to_owned(),
+                "a condition of all that is claimed, written on a line of its own".to_owned(),
+            ];
+            self.error(DiagnosticKind::Ambiguous { readings }, span);
+        }
         for span in doubtful {
             let readings = vec![
                 "a condition, written after a word such as `for`".to_owned(),
@@ -260,6 +269,25 @@ impl Builder {
         )
     }
 
+    /// Refuses a range beside several definitions: it may be meant for one of them or for all.
+    pub(super) fn refuse_shared_ranges(&mut self, display: &Display) {
+        let clauses = &display.clauses;
+        let defines = |c: &&Arc<Clause>| c.chain.relations.first() == Some(&Relation::Equal);
+        if clauses.iter().filter(defines).count() < 2 {
+            return;
+        }
+        for clause in clauses {
+            if self.is_order(&clause.chain) && self.is_plain(&clause.chain) {
+                let readings = vec![
+                    "the range of the definition before it, written as an equation of its own"
+                        .to_owned(),
+                    "the range of all of them".to_owned(),
+                ];
+                self.error(DiagnosticKind::Ambiguous { readings }, clause.chain.span);
+            }
+        }
+    }
+
     /// Refuses what is no equation to be solved: other relations, and what it is said under.
     pub(super) fn refuse_unsolvable(&mut self, display: &Display) {
         for clause in &display.clauses {
@@ -294,6 +322,32 @@ impl Builder {
             }
         }
     }
+}
+
+/// The conditions that stand behind a claim of their line, where something is claimed in another line too.
+fn conditions_of_a_line(clauses: &[Arc<Clause>], conditional: &[bool]) -> Vec<crate::span::Span> {
+    let mut line = 0;
+    let lines: Vec<usize> = clauses
+        .iter()
+        .enumerate()
+        .map(|(k, clause)| {
+            let ends = matches!(
+                clause.separation,
+                Separation::Line | Separation::FullStop | Separation::CommaAndLine
+            );
+            line += usize::from(k > 0 && ends);
+            line
+        })
+        .collect();
+    let claims: Vec<usize> = (0..clauses.len())
+        .filter(|k| !conditional[*k] && !clauses[*k].chain.relations.is_empty())
+        .collect();
+    (0..clauses.len())
+        .filter(|k| conditional[*k])
+        .filter(|k| claims.iter().any(|c| c < k && lines[*c] == lines[*k]))
+        .filter(|k| claims.iter().any(|c| lines[*c] != lines[*k]))
+        .map(|k| clauses[k].chain.span)
+        .collect()
 }
 
 /// Whether a clause is neither set apart from the one before it nor joined to it as its like.

@@ -429,4 +429,57 @@ fn products_of_functions_commutators_and_entries_of_powers_are_asked_about() {
     for space in [r"\;", r"\ ", "~", r"\:"] {
         asked("", &format!("[a{space}b] = ab"));
     }
+    for space in [r"\quad", r"\qquad"] {
+        for row in [
+            "(a{}b)",
+            r"\left(a{}b\right)",
+            "(a{}-b)",
+            r"\begin{pmatrix} a{}b \\ b{}a \end{pmatrix}",
+        ] {
+            asked(
+                "",
+                &format!("{} = x", row.replace("{}", &format!("{space} "))),
+            );
+        }
+        let spaced = format!(r"\begin{{pmatrix}} a {space} & b \\ b & {space} a \end{{pmatrix}}");
+        let plain = r"\begin{pmatrix} a & b \\ b & a \end{pmatrix}";
+        judged(LETTERS, &[(format!("{spaced} = {plain}"), true)], 1);
+    }
+}
+
+/// A condition behind a claim of one line need not be meant for the claims of the others.
+#[test]
+fn conditions_of_one_line_are_asked_about() {
+    let claims = ["|x| &= x", "x &= 0", r"\sqrt{x^2} &= x", "x + 1 &= y + 1"];
+    for one in claims {
+        for other in claims {
+            for condition in [
+                r"&& \text{if } x = y",
+                r", && \text{for } x > 0",
+                r"& \text{if } x \ge 0",
+            ] {
+                asked(
+                    "",
+                    &format!(r"\begin{{aligned}} {one} {condition} \\ {other} \end{{aligned}}"),
+                );
+                asked(
+                    "",
+                    &format!(r"\begin{{aligned}} {one} \\ {other} {condition} \end{{aligned}}"),
+                );
+            }
+            // On a line of its own it is meant for all.
+            let all = format!(
+                r"\begin{{aligned}} {one} \\ {other} \\ &\text{{for }} x > 0 \end{{aligned}}"
+            );
+            let found = errors("", &all);
+            assert!(found.is_empty(), "{all}: {found:?}");
+        }
+    }
+    let text = format!(
+        "{LETTERS}```math 1 define\n\\begin{{aligned}} g_1(x) &= x, && x > 0 \\\\ g_2(x) &= |x| \\end{{aligned}}\n```\n"
+    );
+    let document = Document::parse("test.md", &text).expect("a document");
+    let refused = Audit::of(&document, Options::default()).expect_err("a range of one of two");
+    let ambiguous = |d: &Diagnostic| matches!(d.kind, DiagnosticKind::Ambiguous { .. });
+    assert!(refused.diagnostics.iter().any(ambiguous));
 }

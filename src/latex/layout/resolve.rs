@@ -444,10 +444,29 @@ impl Resolver<'_> {
             && signed
             && self.is_related(self.next[position], true)
             && self.is_related(position, false);
+        // Words, and what a column or a relation parts, are no factors.
+        let parted = self.input[position..self.next[position]]
+            .iter()
+            .any(|l| l.token == Token::Symbol('&'))
+            || matches!(next, Some(Token::Text(_)))
+            || self.is_related(position, true)
+            || self.is_related(position, false);
         let here = self.output.len();
         let container = self.top();
         match container.inside {
             Inside::Lines | Inside::Array if wide && ended && starts => self.output.push(lexeme),
+            Inside::Bracket | Inside::Entries
+                if wide && ended && (starts || negative) && !parted =>
+            {
+                let readings = vec![
+                    "a row, written as a matrix with &".to_owned(),
+                    "a product, written without the space".to_owned(),
+                ];
+                self.diagnostics.push(Diagnostic::new(
+                    DiagnosticKind::Ambiguous { readings },
+                    self.input[self.next[position]].span,
+                ));
+            }
             Inside::Lines | Inside::Array if doubtful => {
                 let readings = vec![
                     "an equation of its own, with a comma before it".to_owned(),
