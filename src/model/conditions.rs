@@ -12,6 +12,7 @@ use super::build::Builder;
 use super::{Hypothesis, Node};
 use crate::diagnostic::DiagnosticKind;
 use crate::document::Text;
+use crate::expr::walk::mentions;
 use crate::expr::{Chain, Clause, Display, Expr, ExprKind, Relation, Separation, Sign};
 use crate::latex;
 use std::sync::Arc;
@@ -272,12 +273,25 @@ impl Builder {
     /// Refuses a range beside several definitions: it may be meant for one of them or for all.
     pub(super) fn refuse_shared_ranges(&mut self, display: &Display) {
         let clauses = &display.clauses;
-        let defines = |c: &&Arc<Clause>| c.chain.relations.first() == Some(&Relation::Equal);
-        if clauses.iter().filter(defines).count() < 2 {
-            return;
-        }
         for clause in clauses {
-            if self.is_order(&clause.chain) && self.is_plain(&clause.chain) {
+            if !self.is_order(&clause.chain) || !self.is_plain(&clause.chain) {
+                continue;
+            }
+            // What a function is at a number has no letter that could have a range.
+            let letters: Vec<_> = clause
+                .chain
+                .members
+                .iter()
+                .filter_map(Expr::as_name)
+                .collect();
+            let about = |c: &&Arc<Clause>| {
+                c.chain.relations.first() == Some(&Relation::Equal)
+                    && c.chain
+                        .members
+                        .iter()
+                        .any(|m| letters.iter().any(|l| mentions(m, l)))
+            };
+            if clauses.iter().filter(about).count() > 1 {
                 let readings = vec![
                     "the range of the definition before it, written as an equation of its own"
                         .to_owned(),
