@@ -38,9 +38,7 @@ impl<'m> Checker<'m> {
         if behind.is_empty() {
             return (none, behind);
         }
-        let mut there = self.as_printed(&behind);
-        there.options.repair = false;
-        there.tell = None;
+        let mut there = self.as_printed(&behind).only_judging();
         let outcomes = there.settle_in_world(equation, none);
         self.pool = there.pool;
         let known = outcomes.into_iter().map(|outcome| match outcome.verdict {
@@ -111,18 +109,34 @@ impl<'m> Checker<'m> {
         if corrected.is_empty() {
             return Vec::new();
         }
-        let mut nodes = BTreeSet::new();
-        for expression in expressions {
-            let display = |e: usize| self.exact.display(e);
-            self.model.visit_behind(expression, &display, &mut |e| {
-                self.model.collect(e, &mut nodes);
-            });
-        }
+        let nodes = self.nodes_behind(expressions);
         let behind = corrected
             .into_iter()
             .filter(|(_, node)| nodes.contains(node));
         let behind: BTreeSet<usize> = behind.map(|(equation, _)| equation).collect();
         behind.into_iter().collect()
+    }
+
+    /// What the names behind some expressions stand for, through all definitions.
+    pub(super) fn nodes_behind<'e>(
+        &self,
+        expressions: impl Iterator<Item = &'e Expr>,
+    ) -> BTreeSet<Node> {
+        let display = |equation: usize| self.exact.display(equation);
+        let mut nodes = BTreeSet::new();
+        for expression in expressions {
+            self.model.visit_behind(expression, &display, &mut |e| {
+                self.model.collect(e, &mut nodes);
+            });
+        }
+        nodes
+    }
+
+    /// The same checker where no corrections are searched for and nobody is told.
+    pub(super) fn only_judging(mut self) -> Self {
+        self.options.repair = false;
+        self.tell = None;
+        self
     }
 
     /// A checker in the world in which these equations stand as they are printed.

@@ -381,9 +381,7 @@ impl<'m> Checker<'m> {
         let no_correction = matches!(verdict, Verdict::Refuted(_));
         if no_correction && after.as_ref().is_some_and(|after| after.true_as_printed) {
             // Nothing mends it beside the correction of a side: it stays what it is in print.
-            let mut there = self.as_printed(&[equation]);
-            there.options.repair = false;
-            there.tell = None;
+            let mut there = self.as_printed(&[equation]).only_judging();
             let outcome = there.outcome(equation, l, unusable);
             self.pool = there.pool;
             return outcome;

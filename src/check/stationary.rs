@@ -59,6 +59,15 @@ enum Standing {
 }
 
 impl Model {
+    /// The equation that gives a node its value; none where it stands for itself.
+    fn equation_giving(&self, node: Node) -> Option<usize> {
+        match node {
+            Node::Definition(definition) => Some(self.definitions[definition].equation),
+            Node::Unknown { system, .. } => Some(self.systems[system].equation),
+            Node::Symbol(_) | Node::Matrix(_) | Node::Notation(_) => None,
+        }
+    }
+
     /// Whether a node is the covariance of a random vector with itself.
     fn is_covariance(&self, node: Node) -> bool {
         self.covariances()
@@ -111,11 +120,7 @@ impl Checker<'_> {
         if !self.model.is_covariance(node) {
             return None;
         }
-        let equation = match node {
-            Node::Definition(definition) => self.model.definitions[definition].equation,
-            Node::Unknown { system, .. } => self.model.systems[system].equation,
-            Node::Symbol(_) | Node::Matrix(_) | Node::Notation(_) => return None,
-        };
+        let equation = self.model.equation_giving(node)?;
         let span = self.model.equations[equation].span;
         let value = self.exact.value_of((node, Vec::new(), 0), span).ok()?;
         let solved = match node {

@@ -317,9 +317,7 @@ impl<'m> Checker<'m> {
     /// Whether something that rests on a definition and holds is false with this correction of it: equations were
     /// asked, inequalities, limits and what holds under hypotheses were not.
     fn spoils(&self, definition: usize, display: &Display, outcomes: &[Outcome]) -> bool {
-        let mut there = self.corrected(definition, display.clone());
-        there.options.repair = false;
-        there.tell = None;
+        let mut there = self.corrected(definition, display.clone()).only_judging();
         let holds = |outcome: &&Outcome| {
             matches!(
                 outcome.verdict,

@@ -458,7 +458,18 @@ impl Checker<'_> {
                 FailureKind::Unsupported { .. }
                 | FailureKind::Budget { .. }
                 | FailureKind::Exhausted { .. } => Unproved::Open,
-                _ => Unproved::False,
+                FailureKind::Shape { .. }
+                | FailureKind::DivisionByZero
+                | FailureKind::Exponent { .. }
+                | FailureKind::Outside { .. }
+                | FailureKind::Ambiguous { .. }
+                | FailureKind::Undeclared { .. }
+                | FailureKind::NeedsItself
+                | FailureKind::NotStationary
+                | FailureKind::NotLinear
+                | FailureKind::Underdetermined
+                | FailureKind::Inconsistent
+                | FailureKind::Divergent { .. } => Unproved::False,
             })?;
         let values = entries.iter().flat_map(|e| [&e.left, &e.right]);
         *spent += PROOF + work::exact(values);

@@ -212,11 +212,7 @@ impl Checker<'_> {
 
     /// A covariance as a matrix; nothing where it stands for itself, and no matrix where it has no value.
     fn block_of(&mut self, node: Node) -> Option<Option<Matrix<RationalFunction>>> {
-        let equation = match node {
-            Node::Definition(definition) => self.model.definitions[definition].equation,
-            Node::Unknown { system, .. } => self.model.systems[system].equation,
-            Node::Symbol(_) | Node::Matrix(_) | Node::Notation(_) => return None,
-        };
+        let equation = self.model.equation_giving(node)?;
         let span = self.model.equations[equation].span;
         let matrix = match self.exact.value_of((node, Vec::new(), 0), span) {
             Ok(Value::Scalar(s)) => Matrix::from_fn(1, 1, |_, _| s.clone()),

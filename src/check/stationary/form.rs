@@ -21,11 +21,7 @@ impl Checker<'_> {
     }
 
     fn form_of_none(&mut self, node: Node) -> Option<&'static str> {
-        let equation = match node {
-            Node::Definition(definition) => self.model.definitions[definition].equation,
-            Node::Unknown { system, .. } => self.model.systems[system].equation,
-            Node::Symbol(_) | Node::Matrix(_) | Node::Notation(_) => return None,
-        };
+        let equation = self.model.equation_giving(node)?;
         let mut own = self.model.covariances();
         let (_, _, covariance) = own.find(|(_, n, _)| *n == node)?;
         let (itself, product) = (covariance.left == covariance.right, &covariance.product);

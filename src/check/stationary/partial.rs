@@ -13,7 +13,6 @@ use crate::model::names::Resolved;
 use crate::verdict::Verdict;
 use num_rational::BigRational;
 use ratpoly::{RationalFunction, RegionSign};
-use std::collections::BTreeSet;
 
 /// Why nothing is said.
 pub(in crate::check) const EXISTS_FOR_SOME: &str =
@@ -152,13 +151,7 @@ impl Checker<'_> {
         expressions: impl Iterator<Item = &'e Expr>,
         covariances: &'p [PartialCovariance],
     ) -> Vec<&'p PartialCovariance> {
-        let mut nodes = BTreeSet::new();
-        for expression in expressions {
-            let display = |equation: usize| self.exact.display(equation);
-            self.model.visit_behind(expression, &display, &mut |e| {
-                self.model.collect(e, &mut nodes);
-            });
-        }
+        let nodes = self.nodes_behind(expressions);
         // All unknowns of a system come from one another.
         let system = |node: Node| match node {
             Node::Unknown { system, .. } => Some(system),
